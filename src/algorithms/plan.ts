@@ -1,0 +1,93 @@
+import { InputError } from '../grid/errors'
+import { cellName } from '../grid/grid'
+import { firstIllegalStep, measurePath, type PathMeasure } from '../grid/path'
+import { checkProblem, type Problem } from '../grid/problem'
+import { randomNumbers } from '../grid/random'
+import { SimulatedRover } from '../rover/simulated-rover'
+import { Tape } from '../trace/tape'
+import { completeParams, type ParamSettings } from './params'
+import type { Answer, AnyPlanner, Context, Status, Values } from './planner'
+import { planners } from './planners'
+
+export interface PlanOptions {
+  readonly params?: ParamSettings
+  /** Seed of all that is random; 1 if none is given. A whole number. */
+  readonly seed?: number
+  /** To be filled with what the planner does. */
+  readonly tape?: Tape
+  /** Called now and then by work that takes long, with what is done, from 0 to 1. */
+  readonly progress?: (done: number) => void
+}
+
+export interface Outcome {
+  readonly status: Status
+  /** One sentence: how it ended, or what the proof is. */
+  readonly reason: string
+  /** From start to goal if the status is `reached`, else the cells walked so far. */
+  readonly path: Int32Array
+  /** Cost of `path`, each step 1, or √2 for a diagonal one if the parameter `cost` is `euclidean`. */
+  readonly cost: number
+  readonly measure: PathMeasure
+  /** Cells (or roadmap vertices) whose shortest path became final; 0 for planners without search. */
+  readonly expanded: number
+  /** Cells of the map that the rover sensed; 0 for planners that see the whole map. */
+  readonly sensed: number
+}
+
+/** @throws InputError if there is no such planner. */
+export function plannerById(id: string): AnyPlanner {
+  const planner = planners.find((candidate) => candidate.id === id)
+  if (planner) return planner
+  const known = planners.map((candidate) => candidate.id).join(', ')
+  throw new InputError(`There is no planner "${id}" (there are: ${known}).`)
+}
+
+/**
+ * Checks the problem and the parameters, runs the planner, and checks what it answers.
+ * @throws InputError that says what is wrong with the problem, the planner or a parameter, and where.
+ */
+export function plan(problem: Problem, plannerId: string, options: PlanOptions = {}): Outcome {
+  checkProblem(problem)
+  const planner = plannerById(plannerId)
+  const params = completeParams(planner, options.params ?? {}, problem)
+  const { seed = 1, tape, progress = () => {} } = options
+  if (!Number.isSafeInteger(seed)) throw new InputError(`The seed ${seed} is not a whole number.`)
+  if (tape !== undefined && !(tape instanceof Tape)) throw new InputError('The tape is no Tape.')
+  tape?.begin(problem.grid.width, problem.grid.height)
+  const context = { params, random: randomNumbers(seed), tape, progress }
+  const { sensed, ...answer } = run(problem, planner, context)
+  checkAnswer(problem, planner, params, answer)
+  const measure = measurePath(problem.grid.width, answer.path)
+  const steps = Math.max(0, measure.cells - 1)
+  return { ...answer, sensed, measure, cost: params.cost === 'euclidean' ? measure.length : steps }
+}
+
+function run(
+  problem: Problem,
+  planner: AnyPlanner,
+  context: Context<Values>,
+): Answer & { sensed: number } {
+  if (planner.family === 'offline') return { ...planner.plan(problem, context), sensed: 0 }
+  const rover = new SimulatedRover(problem, planner.sensor(context.params), context.tape)
+  const answer = planner.drive(rover, context)
+  return { ...answer, path: rover.trail(), expanded: 0, sensed: rover.sensed }
+}
+
+/** A planner that answers what is not true has a bug: better no answer than a wrong one. */
+function checkAnswer(problem: Problem, planner: AnyPlanner, params: Values, answer: Answer): void {
+  const { path, status } = answer
+  const bug = (what: string) => new Error(`Bug in planner ${planner.id}: ${what}.`)
+  if (path.length > 0 && path[0] !== problem.start) throw bug('the path does not begin at the start')
+  const illegal = firstIllegalStep(problem, path)
+  if (illegal > 0) {
+    const { width } = problem.grid
+    const step = `${cellName(width, path[illegal - 1])} to ${cellName(width, path[illegal])}`
+    throw bug(`the step from ${step} is illegal`)
+  }
+  if ((status === 'reached') !== (path.at(-1) === problem.goal)) {
+    throw bug(`it says ${status}, but the path ends elsewhere`)
+  }
+  if (status === 'unreachable' && !planner.complete(params)) {
+    throw bug('it is not complete and says unreachable')
+  }
+}

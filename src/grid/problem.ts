@@ -1,0 +1,53 @@
+import { InputError } from './errors'
+import { type Cell, cellName, type Grid, MAX_SIDE, MIN_SIDE } from './grid'
+import { DIAGONAL_RULES, type DiagonalRule } from './steps'
+
+/** What every planner is asked: the way from start to goal on a map, under one rule. A value. */
+export interface Problem {
+  readonly grid: Grid
+  readonly start: Cell
+  readonly goal: Cell
+  readonly diagonal: DiagonalRule
+}
+
+/** @throws InputError if a side is not a whole number from 2 to 2048. */
+export function checkSize(width: number, height: number): void {
+  for (const [side, size] of [
+    ['width', width],
+    ['height', height],
+  ] as const) {
+    if (!Number.isInteger(size) || size < MIN_SIDE || size > MAX_SIDE) {
+      throw new InputError(
+        `The map's ${side} is ${size}: it must be a whole number from ${MIN_SIDE} to ${MAX_SIDE}.`,
+      )
+    }
+  }
+}
+
+function checkEnd(grid: Grid, name: 'start' | 'goal', cell: Cell): void {
+  if (!Number.isInteger(cell) || cell < 0 || cell >= grid.walls.length) {
+    throw new InputError(
+      `The ${name} is cell ${cell}, which is not on the ${grid.width} × ${grid.height} map.`,
+    )
+  }
+  if (grid.walls[cell]) {
+    throw new InputError(`The ${name} ${cellName(grid.width, cell)} is an obstacle.`)
+  }
+}
+
+/** @throws InputError that says what is wrong with the map, the rule, the start or the goal. */
+export function checkProblem({ grid, start, goal, diagonal }: Problem): void {
+  checkSize(grid.width, grid.height)
+  if (grid.walls.length !== grid.width * grid.height) {
+    throw new InputError(
+      `The map has ${grid.walls.length} cells, but ${grid.width} × ${grid.height} make ${grid.width * grid.height}.`,
+    )
+  }
+  if (!DIAGONAL_RULES.includes(diagonal)) {
+    throw new InputError(
+      `The diagonal rule "${diagonal}" is unknown: use ${DIAGONAL_RULES.join(' or ')}.`,
+    )
+  }
+  checkEnd(grid, 'start', start)
+  checkEnd(grid, 'goal', goal)
+}

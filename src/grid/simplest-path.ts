@@ -1,0 +1,56 @@
+import { type Direction, DX, DY, directionOf } from './directions'
+import type { Cell, Point } from './grid'
+
+/**
+ * The simplest path (the report's "dummy path") goes diagonally while both axes differ and then
+ * straight, whatever is in the way. So its next step depends only on where it is and where it goes:
+ * whoever follows it asks for one step at a time.
+ */
+export function simplestStep(from: Point, to: Point): Direction {
+  return directionOf(to.x - from.x, to.y - from.y)
+}
+
+/** Number of steps of the simplest path: the "distance" of the online planners (Chebyshev). */
+export function distance(a: Point, b: Point): number {
+  return Math.max(Math.abs(a.x - b.x), Math.abs(a.y - b.y))
+}
+
+export function euclideanDistance(a: Point, b: Point): number {
+  return Math.hypot(a.x - b.x, a.y - b.y)
+}
+
+const MORE_THAN_ANY_SQUARE = 2 ** 24
+
+/**
+ * One number that orders places by how far they are from `to`: by distance, ties by Euclidean
+ * distance. Exact for all maps, because it is an integer below 2^53.
+ */
+export function farness(from: Point, to: Point): number {
+  const dx = from.x - to.x
+  const dy = from.y - to.y
+  return distance(from, to) * MORE_THAN_ANY_SQUARE + dx * dx + dy * dy
+}
+
+/** The cells of the simplest path, both ends included. */
+export function simplestPath(width: number, from: Cell, to: Cell): Int32Array {
+  let x = from % width
+  let y = Math.floor(from / width)
+  const end = { x: to % width, y: Math.floor(to / width) }
+  const cells = new Int32Array(distance({ x, y }, end) + 1)
+  for (let i = 0; i < cells.length; i++) {
+    cells[i] = y * width + x
+    const d = simplestStep({ x, y }, end)
+    if (d < 0) break
+    x += DX[d]
+    y += DY[d]
+  }
+  return cells
+}
+
+/** Which cell of the simplest path from `from` to `to` the point is, counted from 0; -1 if none. */
+export function indexOnSimplestPath(from: Point, to: Point, point: Point): number {
+  const i = distance(from, point)
+  const along = (a: number, b: number) => a + Math.sign(b - a) * Math.min(i, Math.abs(b - a))
+  const on = point.x === along(from.x, to.x) && point.y === along(from.y, to.y)
+  return on && i <= distance(from, to) ? i : -1
+}

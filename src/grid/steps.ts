@@ -1,0 +1,87 @@
+import { type Direction, DX, DY, isDiagonal } from './directions'
+import { type Cell, type Grid, isObstacle } from './grid'
+
+/**
+ * When a diagonal step is legal: unless both cells beside it are obstacles (the report's rule), or
+ * only if both are free (no corner cutting, the MovingAI benchmark's).
+ */
+export type DiagonalRule = 'if-at-most-one-obstacle' | 'only-when-no-obstacles'
+
+export const DIAGONAL_RULES: readonly DiagonalRule[] = [
+  'if-at-most-one-obstacle',
+  'only-when-no-obstacles',
+]
+
+/** A set of directions, one bit each (`1 << direction`). */
+export type Directions = number
+
+function isLegal(rule: DiagonalRule, obstacles: Directions, direction: Direction): boolean {
+  const blocked = (d: Direction) => ((obstacles >> (d & 7)) & 1) === 1
+  if (blocked(direction)) return false
+  if (!isDiagonal(direction)) return true
+  const beside = Number(blocked(direction - 1)) + Number(blocked(direction + 1))
+  return rule === 'if-at-most-one-obstacle' ? beside < 2 : beside === 0
+}
+
+function legalTable(rule: DiagonalRule): Uint8Array {
+  return Uint8Array.from({ length: 256 }, (_, obstacles) => {
+    let legal = 0
+    for (let d = 0; d < 8; d++) if (isLegal(rule, obstacles, d)) legal |= 1 << d
+    return legal
+  })
+}
+
+const LEGAL: Record<DiagonalRule, Uint8Array> = {
+  'if-at-most-one-obstacle': legalTable('if-at-most-one-obstacle'),
+  'only-when-no-obstacles': legalTable('only-when-no-obstacles'),
+}
+
+/**
+ * The legal steps from a free cell whose neighbours in the directions `obstacles` are obstacles.
+ * The one definition of a legal step: the map's and the rover's both ask here.
+ */
+export function legalSteps(rule: DiagonalRule, obstacles: Directions): Directions {
+  return LEGAL[rule][obstacles]
+}
+
+/** The directions in which the neighbour of a cell is an obstacle. */
+export function obstaclesAround(grid: Grid, cell: Cell): Directions {
+  const x = cell % grid.width
+  const y = Math.floor(cell / grid.width)
+  let obstacles = 0
+  for (let d = 0; d < 8; d++) if (isObstacle(grid, x + DX[d], y + DY[d])) obstacles |= 1 << d
+  return obstacles
+}
+
+/** The legal steps from every cell of the map; none from an obstacle. */
+export function allLegalSteps(grid: Grid, rule: DiagonalRule): Uint8Array {
+  const { width, height, walls } = grid
+  const table = LEGAL[rule]
+  const steps = new Uint8Array(walls.length)
+  for (let y = 0; y < height; y++) {
+    const first = y * width
+    const inner = y > 0 && y < height - 1
+    for (let x = 0; x < width; x++) {
+      const c = first + x
+      if (walls[c]) continue
+      if (!inner || x === 0 || x === width - 1) {
+        steps[c] = table[obstaclesAround(grid, c)]
+        continue
+      }
+      const n = c - width
+      const s = c + width
+      steps[c] =
+        table[
+          walls[n] |
+            (walls[n + 1] << 1) |
+            (walls[c + 1] << 2) |
+            (walls[s + 1] << 3) |
+            (walls[s] << 4) |
+            (walls[s - 1] << 5) |
+            (walls[c - 1] << 6) |
+            (walls[n - 1] << 7)
+        ]
+    }
+  }
+  return steps
+}

@@ -1,0 +1,63 @@
+import { InputError } from './errors'
+import type { Cell, Grid } from './grid'
+import { checkSize, type Problem } from './problem'
+import type { DiagonalRule } from './steps'
+
+/**
+ * A problem from a text map, one line a row: `#` obstacle, `.` free, `S` start, `G` goal.
+ * Empty lines before and after the map and blanks around its lines do not count.
+ * @throws InputError that names the line and the column of what is wrong.
+ */
+export function problemFromText(
+  text: string,
+  diagonal: DiagonalRule = 'if-at-most-one-obstacle',
+): Problem {
+  const rows = text
+    .trim()
+    .split(/\r?\n/)
+    .map((row) => row.trim())
+  const width = rows[0].length
+  checkSize(width, rows.length)
+  const walls = new Uint8Array(width * rows.length)
+  const ends = new Map<string, Cell>()
+  rows.forEach((row, y) => {
+    if (row.length !== width) {
+      throw new InputError(`Row ${y + 1} has ${row.length} cells, but row 1 has ${width}.`)
+    }
+    for (let x = 0; x < width; x++) {
+      const sign = row[x]
+      const cell = y * width + x
+      if (sign === '#') walls[cell] = 1
+      else if (sign === 'S' || sign === 'G') {
+        if (ends.has(sign)) throw new InputError(`A second "${sign}" at (${x}, ${y}).`)
+        ends.set(sign, cell)
+      } else if (sign !== '.') {
+        throw new InputError(
+          `"${sign}" at (${x}, ${y}) is no cell: use "#" obstacle, "." free, "S" start, "G" goal.`,
+        )
+      }
+    }
+  })
+  const start = ends.get('S')
+  const goal = ends.get('G')
+  if (start === undefined) throw new InputError('The map has no start ("S").')
+  if (goal === undefined) throw new InputError('The map has no goal ("G").')
+  return { grid: { width, height: rows.length, walls }, start, goal, diagonal }
+}
+
+/** The rows of a map, `#` obstacle and `.` free. */
+export function gridToRows(grid: Grid): string[] {
+  return Array.from({ length: grid.height }, (_, y) =>
+    Array.from(grid.walls.subarray(y * grid.width, (y + 1) * grid.width), (wall) =>
+      wall ? '#' : '.',
+    ).join(''),
+  )
+}
+
+/** The text map of a problem: what `problemFromText` reads. A start on the goal shows as `G`. */
+export function problemToText({ grid, start, goal }: Problem): string {
+  const cells = gridToRows(grid).map((row) => row.split(''))
+  cells[Math.floor(start / grid.width)][start % grid.width] = 'S'
+  cells[Math.floor(goal / grid.width)][goal % grid.width] = 'G'
+  return `${cells.map((row) => row.join('')).join('\n')}\n`
+}

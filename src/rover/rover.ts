@@ -1,0 +1,33 @@
+import type { Direction } from '../grid/directions'
+import type { Point } from '../grid/grid'
+import type { Directions } from '../grid/steps'
+
+export interface SensorSettings {
+  /** The rover senses the square of this many cells around it (report, Fig. 10). */
+  readonly range: number
+  /** Whether obstacles hide what is behind them. */
+  readonly lineOfSight: boolean
+}
+
+export type Knowledge = 'unknown' | 'free' | 'obstacle'
+
+/**
+ * All that an online planner is given. It knows where it is, where the goal is, and what it has
+ * sensed; the map is out of its reach. Places are map coordinates; those outside the map are
+ * obstacles once they are sensed.
+ */
+export interface Rover {
+  readonly position: Point
+  readonly goal: Point
+  readonly range: number
+  /** Senses the square around the rover; without it a new place tells nothing. */
+  sense(): void
+  /** What has been sensed so far at (x, y). */
+  known(x: number, y: number): Knowledge
+  /** The directions in which an obstacle is next to the rover. */
+  obstaclesAround(): Directions
+  /** Whether a step is legal from here. */
+  canStep(direction: Direction): boolean
+  /** Moves one cell; an illegal step is refused: false, and the rover stays. */
+  step(direction: Direction): boolean
+}
