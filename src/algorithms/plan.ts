@@ -77,7 +77,8 @@ function run(
 function checkAnswer(problem: Problem, planner: AnyPlanner, params: Values, answer: Answer): void {
   const { path, status } = answer
   const bug = (what: string) => new Error(`Bug in planner ${planner.id}: ${what}.`)
-  if (path.length > 0 && path[0] !== problem.start) throw bug('the path does not begin at the start')
+  if (path.length > 0 && path[0] !== problem.start)
+    throw bug('the path does not begin at the start')
   const illegal = firstIllegalStep(problem, path)
   if (illegal > 0) {
     const { width } = problem.grid

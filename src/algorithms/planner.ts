@@ -8,13 +8,7 @@ import type { Param, ParamValue, ValuesOf } from './params'
  * How a run ends. `unreachable` is a proof that no path exists; `not-found` only says that this
  * planner gave up; `loop` that the same state came back.
  */
-export type Status =
-  | 'reached'
-  | 'unreachable'
-  | 'not-found'
-  | 'local-minimum'
-  | 'dead-end'
-  | 'loop'
+export type Status = 'reached' | 'unreachable' | 'not-found' | 'local-minimum' | 'dead-end' | 'loop'
 
 /** What a planner answers; the path's cost and measures are reckoned for all planners in `plan`. */
 export interface Answer {

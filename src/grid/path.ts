@@ -5,7 +5,10 @@ import { legalSteps, obstaclesAround } from './steps'
 
 /** The direction of the step between two cells of a path; only for cells next to each other. */
 function stepBetween(width: number, from: Cell, to: Cell): number {
-  return directionOf((to % width) - (from % width), Math.floor(to / width) - Math.floor(from / width))
+  return directionOf(
+    (to % width) - (from % width),
+    Math.floor(to / width) - Math.floor(from / width),
+  )
 }
 
 function areNeighbours(width: number, a: Cell, b: Cell): boolean {
