@@ -3,6 +3,7 @@ import { cellName } from '../grid/grid'
 import { firstIllegalStep, measurePath, type PathMeasure } from '../grid/path'
 import { checkProblem, type Problem } from '../grid/problem'
 import { randomNumbers } from '../grid/random'
+import { DriveNotes } from '../rover/drive-notes'
 import { SimulatedRover } from '../rover/simulated-rover'
 import { Tape } from '../trace/tape'
 import { completeParams, type ParamSettings } from './params'
@@ -69,7 +70,10 @@ function run(
 ): Answer & { sensed: number } {
   if (planner.family === 'offline') return { ...planner.plan(problem, context), sensed: 0 }
   const rover = new SimulatedRover(problem, planner.sensor(context.params), context.tape)
-  const answer = planner.drive(rover, context)
+  const answer = planner.drive(rover, {
+    params: context.params,
+    notes: new DriveNotes(rover, context.tape),
+  })
   return { ...answer, path: rover.trail(), expanded: 0, sensed: rover.sensed }
 }
 

@@ -1,5 +1,6 @@
 import type { Problem } from '../grid/problem'
 import type { DiagonalRule } from '../grid/steps'
+import type { DriveNotes } from '../rover/drive-notes'
 import type { Rover, SensorSettings } from '../rover/rover'
 import type { Tape } from '../trace/tape'
 import type { Param, ParamValue, ValuesOf } from './params'
@@ -31,6 +32,12 @@ export interface Context<Values> {
   readonly progress: (done: number) => void
 }
 
+/** What an online planner is handed beside its rover. The notes are for writing only. */
+export interface DriveContext<Values> {
+  readonly params: Values
+  readonly notes: DriveNotes
+}
+
 export type Values = Readonly<Record<string, ParamValue>>
 
 export interface Planner {
@@ -46,6 +53,10 @@ export interface Planner {
   /** Whether its paths are always of least cost. */
   optimal(params: Values, diagonal: DiagonalRule): boolean
   readonly params: readonly Param[]
+  /** Names of the numbers that it decides by; `value` events on the tape count them from 0. */
+  readonly variables: readonly string[]
+  /** Whether chance plays a part, so that another seed may give another answer. */
+  readonly usesSeed: boolean
   /** One string a line; events on the tape name these lines, counted from 0. */
   readonly pseudocode: readonly string[]
   /** Citation: the report's section, the paper. */
@@ -62,7 +73,7 @@ export interface OfflinePlanner extends Planner {
 export interface OnlinePlanner extends Planner {
   readonly family: 'online'
   sensor(params: Values): SensorSettings
-  drive(rover: Rover, context: Context<Values>): DriveAnswer
+  drive(rover: Rover, context: DriveContext<Values>): DriveAnswer
 }
 
 /** The path of an online planner is the rover's trail, so it only says how the drive ended. */
@@ -72,9 +83,11 @@ export type AnyPlanner = OfflinePlanner | OnlinePlanner
 
 type Described<Params extends readonly Param[]> = Omit<
   Planner,
-  'family' | 'params' | 'complete' | 'optimal'
+  'family' | 'params' | 'usesSeed' | 'variables' | 'complete' | 'optimal'
 > & {
   readonly params: Params
+  readonly usesSeed?: true
+  readonly variables?: readonly string[]
   complete(params: ValuesOf<Params>): boolean
   optimal(params: ValuesOf<Params>, diagonal: DiagonalRule): boolean
 }
@@ -85,15 +98,15 @@ export function offlinePlanner<const Params extends readonly Param[]>(
     plan(problem: Problem, context: Context<ValuesOf<Params>>): Answer
   },
 ): OfflinePlanner {
-  return { family: 'offline', ...planner } as OfflinePlanner
+  return { family: 'offline', usesSeed: false, variables: [], ...planner } as OfflinePlanner
 }
 
 /** Declares an online planner; inside it the parameters have the types that it declares. */
 export function onlinePlanner<const Params extends readonly Param[]>(
   planner: Described<Params> & {
     sensor(params: ValuesOf<Params>): SensorSettings
-    drive(rover: Rover, context: Context<ValuesOf<Params>>): DriveAnswer
+    drive(rover: Rover, context: DriveContext<ValuesOf<Params>>): DriveAnswer
   },
 ): OnlinePlanner {
-  return { family: 'online', ...planner } as OnlinePlanner
+  return { family: 'online', usesSeed: false, variables: [], ...planner } as OnlinePlanner
 }

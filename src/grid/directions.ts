@@ -1,3 +1,5 @@
+import type { Point } from './grid'
+
 /**
  * The 8 directions, clockwise from north: N, NE, E, SE, S, SW, W, NW. Even ones are straight, odd
  * ones diagonal; `d ^ 4` is the opposite one.
@@ -22,4 +24,9 @@ export function directionOf(dx: number, dy: number): Direction {
 /** What is added to a cell's index by a step in each direction, on a map `width` cells wide. */
 export function stepOffsets(width: number): Int32Array {
   return Int32Array.from(DX, (dx, d) => DY[d] * width + dx)
+}
+
+/** The place one step from `place` in a direction. */
+export function stepped({ x, y }: Point, direction: Direction): Point {
+  return { x: x + DX[direction], y: y + DY[direction] }
 }

@@ -14,6 +14,8 @@ export interface Point {
   readonly y: number
 }
 
+export const isSamePlace = (a: Point, b: Point): boolean => a.x === b.x && a.y === b.y
+
 /** Least and greatest number of cells on a side of a map. */
 export const MIN_SIDE = 2
 export const MAX_SIDE = 2048
@@ -35,10 +37,10 @@ export function pointOf(width: number, cell: Cell): Point {
   return { x: cell % width, y: Math.floor(cell / width) }
 }
 
-/** "(3, 7)": how a cell is named in every message. */
-export function cellName(width: number, cell: Cell): string {
-  return `(${cell % width}, ${Math.floor(cell / width)})`
-}
+/** "(3, 7)": how a place is named in every message. */
+export const placeName = ({ x, y }: Point): string => `(${x}, ${y})`
+
+export const cellName = (width: number, cell: Cell): string => placeName(pointOf(width, cell))
 
 /** The grid with each of `cells` made an obstacle or free; the given grid is left as it is. */
 export function withCells(grid: Grid, cells: Iterable<Cell>, obstacle: boolean): Grid {

@@ -20,14 +20,16 @@ export interface Rover {
   readonly position: Point
   readonly goal: Point
   readonly range: number
+  /** How many steps it has made. */
+  readonly steps: number
   /** Senses the square around the rover; without it a new place tells nothing. */
   sense(): void
-  /** What has been sensed so far at (x, y). */
+  /** What has been sensed so far at a place. */
   known(x: number, y: number): Knowledge
-  /** The directions in which an obstacle is next to the rover. */
-  obstaclesAround(): Directions
-  /** Whether a step is legal from here. */
-  canStep(direction: Direction): boolean
+  /** The directions in which an obstacle was sensed next to a place; its own if none is given. */
+  obstaclesAround(place?: Point): Directions
+  /** The steps from a place that are legal by what was sensed; what is unknown counts as obstacle. */
+  legalSteps(place?: Point): Directions
   /** Moves one cell; an illegal step is refused: false, and the rover stays. */
   step(direction: Direction): boolean
 }

@@ -48,6 +48,10 @@ export class SimulatedRover implements Rover {
     return this.#position
   }
 
+  get steps(): number {
+    return this.#trail.length - 1
+  }
+
   /** The cells walked, from the start to where the rover is. */
   trail(): Int32Array {
     return Int32Array.from(this.#trail)
@@ -65,8 +69,7 @@ export class SimulatedRover implements Rover {
     return i < 0 ? 'unknown' : KNOWLEDGE[this.#known[i]]
   }
 
-  obstaclesAround(): Directions {
-    const { x, y } = this.#position
+  obstaclesAround({ x, y }: Point = this.#position): Directions {
     let obstacles = 0
     for (let d = 0; d < 8; d++) {
       if (this.known(x + DX[d], y + DY[d]) === 'obstacle') obstacles |= 1 << d
@@ -74,14 +77,16 @@ export class SimulatedRover implements Rover {
     return obstacles
   }
 
-  canStep(direction: Direction): boolean {
-    const { x, y } = this.#position
-    if (this.known(x + DX[direction], y + DY[direction]) !== 'free') return false
-    return ((legalSteps(this.#diagonal, this.obstaclesAround()) >> direction) & 1) === 1
+  legalSteps({ x, y }: Point = this.#position): Directions {
+    let blocked = 0
+    for (let d = 0; d < 8; d++) {
+      if (this.known(x + DX[d], y + DY[d]) !== 'free') blocked |= 1 << d
+    }
+    return legalSteps(this.#diagonal, blocked)
   }
 
   step(direction: Direction): boolean {
-    if (!this.canStep(direction)) return false
+    if (((this.legalSteps() >> direction) & 1) === 0) return false
     const from = this.#position
     this.#position = { x: from.x + DX[direction], y: from.y + DY[direction] }
     const cell = this.#cell(this.#position)

@@ -44,6 +44,12 @@ export class Tape implements TapeColumns {
     this.line = 0
   }
 
+  /** The cell at (x, y); -1 outside the map. */
+  cellAt(x: number, y: number): Cell {
+    const inside = x >= 0 && y >= 0 && x < this.width && y < this.height
+    return inside ? y * this.width + x : -1
+  }
+
   /** Says that the planner is at this line of its pseudocode, counted from 0. */
   at(line: number): this {
     this.line = line

@@ -1,0 +1,30 @@
+import { descend } from './descent'
+import { offlinePlanner } from './planner'
+import { potentialOf, potentialParams } from './potential'
+import { pseudocode } from './pseudocode'
+
+const { text, line } = pseudocode({
+  field: 'potential ← attraction by the goal + repulsion by the closest obstacle, for every cell',
+  choose: 'while not at the goal: look for the legal neighbour with the lowest potential',
+  step: 'if it is lower than here: step to it',
+  stuck: 'else stop: a local minimum',
+})
+
+export const potentialField = offlinePlanner({
+  id: 'potential-field',
+  title: 'Potential field',
+  summary:
+    'The goal attracts, obstacles repel; the agent steps to the neighbour with the lowest potential as long as it is lower.',
+  promise: 'Neither complete nor optimal: it stops in the first local minimum.',
+  complete: () => false,
+  optimal: () => false,
+  params: potentialParams,
+  pseudocode: text,
+  source:
+    'Report, IV.D; C. W. Warren, "Global path planning using artificial potential fields", 1989',
+
+  plan(problem, { params, tape }) {
+    const potential = potentialOf(problem, params)
+    return descend({ problem, potential, memory: false, lines: line, tape })
+  },
+})

@@ -1,0 +1,83 @@
+import type { Cell } from '../grid/grid'
+import type { Problem } from '../grid/problem'
+import { randomInteger } from '../grid/random'
+import { ClearRuns } from './clear-runs'
+import { costParam } from './costs'
+import { offlinePlanner } from './planner'
+import { type Roadmap, roadmapPseudocode, searchRoadmap } from './roadmap'
+
+const { text, line } = roadmapPseudocode({
+  vertices: 'random free cells',
+  none: 'give up, these samples do not join start and goal',
+})
+
+export const probabilisticRoadmap = offlinePlanner({
+  id: 'probabilistic-roadmap',
+  title: 'Probabilistic roadmap',
+  summary:
+    'Random free cells are joined wherever the simplest path between them is free; Dijkstra searches that graph.',
+  promise:
+    'Neither complete nor optimal: with more samples a path is found more often and gets shorter, and the roadmap takes longer to build. The same seed gives the same roadmap.',
+  complete: () => false,
+  optimal: () => false,
+  params: [
+    {
+      name: 'samples',
+      label: 'Samples',
+      kind: 'integer',
+      min: 0,
+      max: 100_000,
+      unit: 'cells',
+      default: ({ grid }) => grid.width,
+      help: 'Random free cells on the roadmap; as many as the map has columns, if nothing else is said.',
+    },
+    costParam,
+  ],
+  usesSeed: true,
+  pseudocode: text,
+  source:
+    'Report, IV.C; L. E. Kavraki et al., "Probabilistic roadmaps for path planning in high-dimensional configuration spaces", 1996',
+
+  plan(problem, { params, random, tape, progress }) {
+    const vertices = Int32Array.from([
+      ...new Set([problem.start, problem.goal]),
+      ...sampleFreeCells(problem, params.samples, random),
+    ])
+    const failure = {
+      status: 'not-found',
+      reason: 'these samples do not join start and goal; more samples or another seed may',
+    } as const
+    const { cost } = params
+    const task = { problem, cost, failure, lines: line, tape, progress }
+    return searchRoadmap(pairwiseRoadmap(problem, vertices), task)
+  },
+})
+
+/** Distinct free cells apart from start and goal; all of them if there are no more than `count`. */
+function sampleFreeCells(problem: Problem, count: number, random: () => number): Int32Array {
+  const { grid, start, goal } = problem
+  const isCandidate = (cell: Cell) => !grid.walls[cell] && cell !== start && cell !== goal
+  let free = 0
+  const cells = new Int32Array(grid.walls.length)
+  for (let cell = 0; cell < cells.length; cell++) if (isCandidate(cell)) cells[free++] = cell
+  const drawn = Math.min(count, free)
+  for (let i = 0; i < drawn; i++) {
+    const j = i + randomInteger(random, free - i)
+    const cell = cells[j]
+    cells[j] = cells[i]
+    cells[i] = cell
+  }
+  return cells.subarray(0, drawn)
+}
+
+function pairwiseRoadmap(problem: Problem, vertices: Int32Array): Roadmap {
+  const runs = new ClearRuns(problem)
+  const eachNeighbour = (vertex: number, visit: (other: number) => void): void => {
+    const cell = vertices[vertex]
+    for (let other = 0; other < vertices.length; other++) {
+      const joined = runs.isFree(cell, vertices[other]) || runs.isFree(vertices[other], cell)
+      if (other !== vertex && joined) visit(other)
+    }
+  }
+  return { vertices, eachNeighbour }
+}

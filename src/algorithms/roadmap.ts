@@ -1,0 +1,137 @@
+import FlatQueue from 'flatqueue'
+import type { Cell } from '../grid/grid'
+import { firstIllegalStep } from '../grid/path'
+import type { Problem } from '../grid/problem'
+import { simplestPath } from '../grid/simplest-path'
+import { EVENT } from '../trace/events'
+import type { Tape } from '../trace/tape'
+import { type Cost, costOfRank, rank } from './costs'
+import type { Answer, Status } from './planner'
+import { pseudocode } from './pseudocode'
+
+/** A graph over some of the map's free cells, joined where a simplest path between them is free. */
+export interface Roadmap {
+  /** The cells that are vertices, each once, start and goal among them. */
+  readonly vertices: Int32Array
+  /** Calls `visit` with the place in `vertices` of each vertex joined to that one; some perhaps twice. */
+  eachNeighbour(vertex: number, visit: (other: number) => void): void
+}
+
+type RoadmapLines = ReturnType<typeof roadmapPseudocode>['line']
+
+/** The pseudocode of a roadmap planner: they differ in their vertices and in what failure means. */
+export function roadmapPseudocode(own: { readonly vertices: string; readonly none: string }) {
+  return pseudocode({
+    vertices: `vertices ← start, goal, and ${own.vertices}`,
+    edges: 'for each pair of vertices: an edge if a simplest path between them is free',
+    open: 'put the start, then each vertex that gets a shorter way, among the open ones',
+    close: 'take the open vertex with the least cost and close it: its way is final',
+    found: 'if it is the goal: join the simplest paths from the start to it',
+    none: `if no vertex is open: ${own.none}`,
+  })
+}
+
+interface Task {
+  readonly problem: Problem
+  readonly cost: Cost
+  /** What is said if the roadmap does not join start and goal. */
+  readonly failure: { readonly status: Status; readonly reason: string }
+  readonly lines: RoadmapLines
+  readonly tape: Tape | undefined
+  readonly progress: (done: number) => void
+}
+
+/**
+ * Dijkstra over a roadmap. An edge weighs what its simplest path costs. Edges are found as the
+ * search needs them; only a tape has all of them recorded first, as the report's method does it.
+ */
+export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
+  const { problem, cost, failure, lines, tape, progress } = task
+  const { vertices } = roadmap
+  const { width } = problem.grid
+  if (tape) recordRoadmap(roadmap, width, lines, tape, cost)
+  const weight = (a: number, b: number) => rankOfEdge(cost, width, vertices[a], vertices[b])
+  const start = vertices.indexOf(problem.start)
+  const goal = vertices.indexOf(problem.goal)
+  const ranks = new Float64Array(vertices.length).fill(Number.POSITIVE_INFINITY)
+  const parents = new Int32Array(vertices.length).fill(-1)
+  const closed = new Uint8Array(vertices.length)
+  const queue = new FlatQueue<number>()
+  ranks[start] = 0
+  queue.push(start, 0)
+  tape?.at(lines.open).write(EVENT.open, problem.start)
+  let expanded = 0
+  for (let vertex = queue.pop(); vertex !== undefined; vertex = queue.pop()) {
+    if (closed[vertex]) continue
+    closed[vertex] = 1
+    const here = vertex
+    tape?.at(lines.close).write(EVENT.close, vertices[here], -1, costOfRank(cost, ranks[here]))
+    if (++expanded % 256 === 0) progress(expanded / vertices.length)
+    if (here === goal) {
+      const path = joinCells(problem, verticesTo(goal, parents, vertices))
+      tape?.at(lines.found)
+      for (const cell of path) tape?.write(EVENT.path, cell)
+      return { status: 'reached', reason: 'the shortest path on the roadmap', path, expanded }
+    }
+    roadmap.eachNeighbour(here, (other) => {
+      if (closed[other]) return
+      const next = ranks[here] + weight(here, other)
+      if (next >= ranks[other]) return
+      ranks[other] = next
+      parents[other] = here
+      queue.push(other, next)
+      tape
+        ?.at(lines.open)
+        .write(EVENT.open, vertices[other], vertices[here], costOfRank(cost, next))
+    })
+  }
+  tape?.at(lines.none)
+  return { ...failure, path: new Int32Array(0), expanded }
+}
+
+function rankOfEdge(cost: Cost, width: number, a: Cell, b: Cell): number {
+  const across = Math.abs((a % width) - (b % width))
+  const down = Math.abs(Math.floor(a / width) - Math.floor(b / width))
+  return rank(cost, Math.max(across, down), Math.min(across, down))
+}
+
+function recordRoadmap(
+  { vertices, eachNeighbour }: Roadmap,
+  width: number,
+  lines: RoadmapLines,
+  tape: Tape,
+  cost: Cost,
+): void {
+  tape.at(lines.vertices)
+  for (const cell of vertices) tape.write(EVENT.vertex, cell)
+  tape.at(lines.edges)
+  const lastSeenFrom = new Int32Array(vertices.length).fill(-1)
+  for (let vertex = 0; vertex < vertices.length; vertex++) {
+    eachNeighbour(vertex, (other) => {
+      if (other <= vertex || lastSeenFrom[other] === vertex) return
+      lastSeenFrom[other] = vertex
+      const weight = costOfRank(cost, rankOfEdge(cost, width, vertices[vertex], vertices[other]))
+      tape.write(EVENT.edge, vertices[vertex], vertices[other], weight)
+    })
+  }
+}
+
+function verticesTo(goal: number, parents: Int32Array, vertices: Int32Array): Cell[] {
+  const cells: Cell[] = []
+  for (let vertex = goal; vertex >= 0; vertex = parents[vertex]) cells.push(vertices[vertex])
+  return cells.reverse()
+}
+
+/** The cells of the simplest paths between joined vertices, each in the direction that is free. */
+function joinCells(problem: Problem, vertices: readonly Cell[]): Int32Array {
+  const { width } = problem.grid
+  const path: Cell[] = [vertices[0]]
+  for (let i = 1; i < vertices.length; i++) {
+    let cells = simplestPath(width, vertices[i - 1], vertices[i])
+    if (firstIllegalStep(problem, cells) > 0) {
+      cells = simplestPath(width, vertices[i], vertices[i - 1]).reverse()
+    }
+    for (const cell of cells.subarray(1)) path.push(cell)
+  }
+  return Int32Array.from(path)
+}
