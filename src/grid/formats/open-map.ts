@@ -1,0 +1,56 @@
+import { InputError } from '../errors'
+import { MAX_SIDE } from '../grid'
+import { problemFromText } from '../text-map'
+import { describe, excerpt } from './excerpt'
+import { parseJson } from './json'
+import type { OpenedMap } from './opened-map'
+import { readOriginal } from './original-file'
+import { FORMAT, readProject } from './project-file'
+
+export type { OpenedMap } from './opened-map'
+
+/** More characters than any map needs, however generously its JSON is laid out. */
+export const MAX_FILE_LENGTH = 2 ** 26
+const MAX_TEXT_MAP_LENGTH = 2 * MAX_SIDE * MAX_SIDE
+
+/**
+ * Opens a map file: this project's own JSON, the JSON of the original Path Planner, or a text map.
+ * @throws InputError that says what is wrong with the file, and where.
+ */
+export function openMap(text: string): OpenedMap {
+  checkLength(text, MAX_FILE_LENGTH)
+  // Some editors begin a file with a byte order mark.
+  const content = text.charCodeAt(0) === 0xfeff ? text.slice(1) : text
+  const beginning = content.trimStart().slice(0, 100)
+  if (beginning === '') throw new InputError('The file is empty.')
+  if (/^[{[]/.test(beginning)) return openJson(parseJson(content))
+  if (/^[#.SG]{2}/.test(beginning)) {
+    checkLength(content, MAX_TEXT_MAP_LENGTH)
+    return { problem: problemFromText(content), notes: [] }
+  }
+  throw new InputError(
+    `This file is no map. It begins with ${excerpt(beginning)}, but a map is a JSON file ` +
+      'or rows of "#" obstacle, "." free, "S" start and "G" goal.',
+  )
+}
+
+function openJson(value: unknown): OpenedMap {
+  const has = (key: string) => Object.hasOwn(Object(value), key)
+  if (has('format')) {
+    const { format } = value as { format: unknown }
+    if (format === FORMAT) return readProject(value)
+    throw new InputError(`The "format" of this file is ${describe(format)}, not "${FORMAT}".`)
+  }
+  if (has('wall_map')) return readOriginal(value)
+  throw new InputError(
+    `This JSON file is no map of Path Planner: it has neither "format": "${FORMAT}" nor a "wall_map".`,
+  )
+}
+
+function checkLength(text: string, most: number): void {
+  if (text.length <= most) return
+  const millions = (length: number) => `${Math.ceil(length / 1e6)} million`
+  throw new InputError(
+    `The file has ${millions(text.length)} characters; no map has more than ${millions(most)}.`,
+  )
+}

@@ -1,0 +1,61 @@
+import * as v from 'valibot'
+import { defaultEnds } from '../ends'
+import { InputError } from '../errors'
+import { cellName, type Grid } from '../grid'
+import { checkSize } from '../problem'
+import { describe } from './excerpt'
+import type { OpenedMap } from './opened-map'
+import { list, readShape, whole } from './shape'
+
+const shape = v.object({ size: v.object({ x: whole, y: whole }), wall_map: list })
+
+const words = {
+  size: 'an object with the whole numbers "x" and "y"',
+  'size.x': 'a whole number',
+  'size.y': 'a whole number',
+  wall_map: 'a list of columns',
+}
+
+/**
+ * The map in the JSON value of a file of the original Path Planner: `size: { x, y }` and
+ * `wall_map[x][y]`, 1 for an obstacle. Start and goal are not in such a file.
+ * @throws InputError that says which key, column or cell is wrong.
+ */
+export function readOriginal(value: unknown): OpenedMap {
+  const { size, wall_map: columns } = readShape(shape, words, value)
+  const grid = gridFromColumns(size.x, size.y, columns)
+  const { start, goal } = defaultEnds(grid)
+  const places = `${cellName(grid.width, start)} and ${cellName(grid.width, goal)}`
+  return {
+    problem: { grid, start, goal, diagonal: 'if-at-most-one-obstacle' },
+    notes: [`The file has no start or goal: they were put at ${places}.`],
+  }
+}
+
+function gridFromColumns(width: number, height: number, columns: readonly unknown[]): Grid {
+  checkSize(width, height)
+  if (columns.length !== width) {
+    throw new InputError(`"wall_map" has ${columns.length} columns, but "size.x" is ${width}.`)
+  }
+  const walls = new Uint8Array(width * height)
+  columns.forEach((column: unknown, x) => {
+    if (!Array.isArray(column)) {
+      throw new InputError(`"wall_map" column ${x} must be a list, but is ${describe(column)}.`)
+    }
+    if (column.length !== height) {
+      throw new InputError(
+        `"wall_map" column ${x} has ${column.length} cells, but "size.y" is ${height}.`,
+      )
+    }
+    for (let y = 0; y < height; y++) {
+      const cell: unknown = column[y]
+      if (cell === 1) walls[y * width + x] = 1
+      else if (cell !== 0) {
+        throw new InputError(
+          `"wall_map" column ${x}, cell ${y} must be 1 (obstacle) or 0 (free), but is ${describe(cell)}.`,
+        )
+      }
+    }
+  })
+  return { width, height, walls }
+}

@@ -1,0 +1,70 @@
+import { InputError } from '../errors'
+
+/** One bit a cell, eight cells a byte, the first cell in the lowest bit. */
+export function packWalls(walls: Uint8Array): Uint8Array {
+  const bits = new Uint8Array(Math.ceil(walls.length / 8))
+  for (let i = 0; i < walls.length; i++) if (walls[i]) bits[i >> 3] |= 1 << (i & 7)
+  return bits
+}
+
+/**
+ * The walls of `count` cells.
+ * @throws InputError if the bits are not those of so many cells.
+ */
+export function unpackWalls(bits: Uint8Array, count: number): Uint8Array {
+  if (bits.length !== Math.ceil(count / 8)) {
+    throw new InputError(
+      `The packed map has ${bits.length} bytes: too few or too many for ${count} cells.`,
+    )
+  }
+  const walls = new Uint8Array(count)
+  for (let i = 0; i < count; i++) walls[i] = (bits[i >> 3] >> (i & 7)) & 1
+  return walls
+}
+
+const DIGITS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/'
+
+const VALUES = new Int8Array(128).fill(-1)
+for (let i = 0; i < DIGITS.length; i++) VALUES[DIGITS.charCodeAt(i)] = i
+
+/** Base64 (RFC 4648, section 4) with padding. Written out because browsers and Node share no way. */
+export function toBase64(bytes: Uint8Array): string {
+  const parts: string[] = []
+  for (let i = 0; i < bytes.length; i += 3) {
+    // Bytes beyond the end count as 0.
+    const three = (bytes[i] << 16) | ((bytes[i + 1] ?? 0) << 8) | (bytes[i + 2] ?? 0)
+    parts.push(
+      DIGITS[three >> 18],
+      DIGITS[(three >> 12) & 63],
+      i + 1 < bytes.length ? DIGITS[(three >> 6) & 63] : '=',
+      i + 2 < bytes.length ? DIGITS[three & 63] : '=',
+    )
+  }
+  return parts.join('')
+}
+
+/**
+ * The bytes of a Base64 text as `toBase64` writes it, and of no other.
+ * @throws InputError if the length, a character or the end is not Base64's.
+ */
+export function fromBase64(text: string): Uint8Array {
+  if (text.length % 4 !== 0) {
+    throw new InputError(`Base64 comes in groups of 4 characters, but there are ${text.length}.`)
+  }
+  const padding = text.endsWith('==') ? 2 : text.endsWith('=') ? 1 : 0
+  const bytes = new Uint8Array((text.length / 4) * 3 - padding)
+  let bits = 0
+  let count = 0
+  let at = 0
+  for (let i = 0; i < text.length - padding; i++) {
+    const value = VALUES[text.charCodeAt(i)] ?? -1
+    if (value < 0) throw new InputError(`Character ${i + 1} of the packed map is not Base64.`)
+    bits = ((bits << 6) | value) & 0xffff
+    count += 6
+    if (count < 8) continue
+    count -= 8
+    bytes[at++] = bits >> count
+  }
+  if (bits & ((1 << count) - 1)) throw new InputError('The packed map is cut off at its end.')
+  return bytes
+}

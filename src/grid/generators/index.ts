@@ -1,0 +1,9 @@
+import type { Generator } from './generator'
+import { maze } from './maze'
+import { random } from './random'
+import { rooms } from './rooms'
+
+export type { Generator, GeneratorParam, Size } from './generator'
+
+/** All map generators. */
+export const generators: readonly Generator[] = [random, maze, rooms]

@@ -1,0 +1,31 @@
+import { generator } from './generator'
+
+export const random = generator({
+  id: 'random',
+  title: 'Random obstacles',
+  help: 'Every cell is an obstacle with the same chance, whatever its neighbours are.',
+  params: [
+    {
+      name: 'density',
+      label: 'Density',
+      kind: 'integer',
+      min: 0,
+      max: 90,
+      default: 25,
+      unit: '%',
+      help: 'Share of the cells that are obstacles; from about 40 % the goal is mostly cut off.',
+    },
+  ],
+
+  build({ width, height }, { density }, random) {
+    const walls = new Uint8Array(width * height)
+    for (let i = 0; i < walls.length; i++) walls[i] = random() * 100 < density ? 1 : 0
+    const middle = Math.floor((height - 1) / 2) * width
+    const margin = Math.floor((width - 1) / 12)
+    const start = middle + margin
+    const goal = middle + width - 1 - margin
+    walls[start] = 0
+    walls[goal] = 0
+    return { walls, start, goal }
+  },
+})
