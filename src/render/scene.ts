@@ -4,16 +4,33 @@ import type { Frame } from '../trace/frame'
 import type { TapeColumns } from '../trace/tape'
 import type { Theme } from './theme'
 
+/** The plan on screen and its picture at this moment. */
+export interface PlanMoment {
+  readonly tape: TapeColumns
+  readonly frame: Frame
+}
+
 /** All that the drawing of the map depends on, apart from where the map lies on the screen. */
 export interface Scene {
   readonly problem: Problem
   readonly theme: Theme
-  /** The plan on screen and its picture at this moment; `null` while there is none. */
-  readonly plan: { readonly tape: TapeColumns; readonly frame: Frame } | null
+  /** `null` while there is none. */
+  readonly plan: PlanMoment | null
   /** Cells that the rover senses around it; 0 for planners without a rover. */
   readonly sensorRange: number
   /** Whether potentials are shown, as a heat map and, in large cells, as numbers. */
   readonly showPotential: boolean
   /** The keyboard's cell; -1 if the map is not being used by keyboard. */
   readonly cursor: Cell
+}
+
+/** The plan; `null` as well if it was made for a map of another size, whose cells are not these. */
+export function planOnMap({ problem, plan }: Scene): PlanMoment | null {
+  const { width, height } = problem.grid
+  return plan?.tape.width === width && plan.tape.height === height ? plan : null
+}
+
+/** Whether a plan is on show that knows only what its rover has sensed. */
+export function hasRover(scene: Scene): boolean {
+  return scene.sensorRange > 0 && planOnMap(scene) !== null
 }

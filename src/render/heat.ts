@@ -1,0 +1,54 @@
+import { EVENT } from '../trace/events'
+import type { TapeColumns } from '../trace/tape'
+import { contrast, mix, type Rgb, rgbOf } from './colour'
+import type { Theme } from './theme'
+
+/** Least and greatest finite potential of a tape. */
+export interface PotentialRange {
+  readonly min: number
+  readonly max: number
+}
+
+export const HEAT_LEVELS = 256
+
+/** `null` if the tape has no finite potential. */
+export function potentialRange(tape: TapeColumns): PotentialRange | null {
+  let min = Number.POSITIVE_INFINITY
+  let max = Number.NEGATIVE_INFINITY
+  for (let i = 0; i < tape.length; i++) {
+    if (tape.kinds[i] !== EVENT.potential) continue
+    const value = tape.values[i]
+    if (!Number.isFinite(value)) continue
+    if (value < min) min = value
+    if (value > max) max = value
+  }
+  return min <= max ? { min, max } : null
+}
+
+/**
+ * The colour level of a potential, from 0 to 255; -1 if it is not finite. Potentials grow with the
+ * square of the distance, so that levels are even in its root.
+ */
+export function heatLevel({ min, max }: PotentialRange, potential: number): number {
+  if (!Number.isFinite(potential)) return -1
+  if (max === min) return 0
+  return Math.round(Math.sqrt((potential - min) / (max - min)) * (HEAT_LEVELS - 1))
+}
+
+/** The theme's heat colours, drawn out to one for each level. */
+export function heatColours({ heat }: Theme): Rgb[] {
+  const stops = heat.map(rgbOf)
+  return Array.from({ length: HEAT_LEVELS }, (_, level) => {
+    const place = (level / (HEAT_LEVELS - 1)) * (stops.length - 1)
+    const stop = Math.min(Math.floor(place), stops.length - 2)
+    return mix(stops[stop], stops[stop + 1], place - stop)
+  })
+}
+
+/** The ink that is read best on each level. */
+export function heatInks(theme: Theme): string[] {
+  const { dark, light } = theme.ink
+  return heatColours(theme).map((colour) =>
+    contrast(colour, rgbOf(dark)) > contrast(colour, rgbOf(light)) ? dark : light,
+  )
+}

@@ -1,0 +1,21 @@
+import { cellsAreAtLeast, edgeX, edgeY, type Placement } from '../placement'
+import type { Theme } from '../theme'
+import { LINES_FROM } from '../view'
+
+/** The lines between cells, one device pixel wide, fading in with the size of the cells. */
+export function drawLines(context: CanvasRenderingContext2D, place: Placement, theme: Theme): void {
+  if (!cellsAreAtLeast(place, LINES_FROM)) return
+  const { fromX, fromY, toX, toY } = place
+  const left = edgeX(place, fromX)
+  const top = edgeY(place, fromY)
+  const width = edgeX(place, toX) - left
+  const height = edgeY(place, toY) - top
+  const line = Math.max(1, Math.floor(place.pixel))
+  context.beginPath()
+  for (let x = Math.max(1, fromX); x < toX; x++) context.rect(edgeX(place, x), top, line, height)
+  for (let y = Math.max(1, fromY); y < toY; y++) context.rect(left, edgeY(place, y), width, line)
+  context.fillStyle = theme.gridLine
+  context.globalAlpha = Math.min(1, place.cell / place.pixel / (3 * LINES_FROM))
+  context.fill()
+  context.globalAlpha = 1
+}

@@ -1,0 +1,40 @@
+import type { Cell } from '../../grid/grid'
+import { centreX, centreY, type Placement } from '../placement'
+
+/** Whether a line between two cells may be seen: its box meets the part of the map on screen. */
+export function mayBeSeen(place: Placement, a: Cell, b: Cell): boolean {
+  const ax = a % place.columns
+  const bx = b % place.columns
+  if (Math.max(ax, bx) < place.fromX - 1 || Math.min(ax, bx) > place.toX) return false
+  const ay = Math.floor(a / place.columns)
+  const by = Math.floor(b / place.columns)
+  return Math.max(ay, by) >= place.fromY - 1 && Math.min(ay, by) <= place.toY
+}
+
+/** On a map two cells wide, steps in different directions lead equally far in the cells' numbers. */
+function goesStraightOn({ columns }: Placement, a: Cell, b: Cell, c: Cell): boolean {
+  return b - a === c - b && (b % columns) - (a % columns) === (c % columns) - (b % columns)
+}
+
+/**
+ * Adds the line through the centres of cells, each next to the one before, to the current path:
+ * straight runs as one segment, and only what may be seen.
+ */
+export function traceCells(
+  context: CanvasRenderingContext2D,
+  place: Placement,
+  cells: readonly Cell[],
+): void {
+  let pen = -1
+  let from = 0
+  for (let i = 1; i < cells.length; i++) {
+    if (i + 1 < cells.length && goesStraightOn(place, cells[i - 1], cells[i], cells[i + 1]))
+      continue
+    if (mayBeSeen(place, cells[from], cells[i])) {
+      if (pen !== from) context.moveTo(centreX(place, cells[from]), centreY(place, cells[from]))
+      context.lineTo(centreX(place, cells[i]), centreY(place, cells[i]))
+      pen = i
+    }
+    from = i
+  }
+}

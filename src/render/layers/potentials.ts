@@ -1,0 +1,32 @@
+import type { Grid } from '../../grid/grid'
+import { heatInks, heatLevel, type PotentialRange } from '../heat'
+import { cellsAreAtLeast, centreX, centreY, inProportion, type Placement } from '../placement'
+import { potentialLabel } from '../potential-label'
+import type { Theme } from '../theme'
+
+const NUMBERS_FROM = 26
+
+/** The potential of each free cell as a number, where cells are large enough to hold it. */
+export function drawPotentials(
+  context: CanvasRenderingContext2D,
+  place: Placement,
+  theme: Theme,
+  { walls, width }: Grid,
+  potential: Float64Array,
+  range: PotentialRange,
+): void {
+  if (!cellsAreAtLeast(place, NUMBERS_FROM)) return
+  const inks = heatInks(theme)
+  context.font = `${inProportion(place, 0.32, 8, 15)}px Roboto, system-ui, sans-serif`
+  context.textAlign = 'center'
+  context.textBaseline = 'middle'
+  for (let y = place.fromY; y < place.toY; y++) {
+    for (let x = place.fromX; x < place.toX; x++) {
+      const cell = y * width + x
+      const level = heatLevel(range, potential[cell])
+      if (level < 0 || walls[cell]) continue
+      context.fillStyle = inks[level]
+      context.fillText(potentialLabel(potential[cell]), centreX(place, cell), centreY(place, cell))
+    }
+  }
+}

@@ -1,0 +1,84 @@
+import type { Cell, Grid } from '../grid/grid'
+import type { View } from './view'
+
+/** Size of the screen in device pixels, and how many of them make a CSS pixel. */
+export interface DeviceScreen {
+  readonly width: number
+  readonly height: number
+  readonly pixel: number
+}
+
+/** Where the map lies on the canvases, in device pixels, and which part of it can be seen. */
+export interface Placement {
+  readonly columns: number
+  readonly rows: number
+  /** Side of a cell. */
+  readonly cell: number
+  /** Top left of the map: whole numbers, so that lines are crisp. */
+  readonly left: number
+  readonly top: number
+  /** Device pixels in a CSS pixel. */
+  readonly pixel: number
+  /** Columns `fromX` to `toX` - 1 and rows `fromY` to `toY` - 1 can be seen, at least partly. */
+  readonly fromX: number
+  readonly toX: number
+  readonly fromY: number
+  readonly toY: number
+}
+
+export function placeMap(
+  view: View,
+  { width, height }: Pick<Grid, 'width' | 'height'>,
+  screen: DeviceScreen,
+): Placement {
+  const { pixel } = screen
+  const cell = view.scale * pixel
+  const left = Math.round(view.left * pixel)
+  const top = Math.round(view.top * pixel)
+  return {
+    columns: width,
+    rows: height,
+    cell,
+    left,
+    top,
+    pixel,
+    fromX: Math.max(0, Math.floor(-left / cell)),
+    toX: Math.min(width, Math.ceil((screen.width - left) / cell)),
+    fromY: Math.max(0, Math.floor(-top / cell)),
+    toY: Math.min(height, Math.ceil((screen.height - top) / cell)),
+  }
+}
+
+/** The device pixel at which column or row `i` begins: whole, so that neighbours meet exactly. */
+export const edgeX = (place: Placement, x: number): number =>
+  Math.round(place.left + x * place.cell)
+export const edgeY = (place: Placement, y: number): number => Math.round(place.top + y * place.cell)
+
+export const centreX = (place: Placement, cell: Cell): number =>
+  place.left + ((cell % place.columns) + 0.5) * place.cell
+
+export const centreY = (place: Placement, cell: Cell): number =>
+  place.top + (Math.floor(cell / place.columns) + 0.5) * place.cell
+
+/** A length that grows with the cells, in device pixels, within bounds in CSS pixels. */
+export function inProportion(place: Placement, part: number, min: number, max: number): number {
+  return Math.max(min * place.pixel, Math.min(part * place.cell, max * place.pixel))
+}
+
+/** Whether cells are at least this large, in CSS pixels. */
+export function cellsAreAtLeast(place: Placement, size: number): boolean {
+  return place.cell >= size * place.pixel
+}
+
+/** Whether a cell, or what stands out of it by up to `reach` device pixels, can be seen. */
+export function isVisible(place: Placement, cell: Cell): boolean {
+  const x = cell % place.columns
+  const y = Math.floor(cell / place.columns)
+  const reach = Math.ceil((16 * place.pixel) / place.cell)
+  return (
+    x >= place.fromX - reach &&
+    x < place.toX + reach &&
+    y >= place.fromY - reach &&
+    y < place.toY + reach
+  )
+}
