@@ -1,0 +1,50 @@
+import { test } from 'vitest'
+import { EVENT, Tape } from '../../src/index'
+import { isClose, LONG, must, onEveryMap } from '../reference/cases'
+import { descend, type Field, potentialAt } from '../reference/potential'
+import { mustBeModest, mustNotExceed, mustWalkAlike, run } from '../reference/run'
+import { freeCells, isWall, placesOf, type World } from '../reference/world'
+
+/** Another field for each map, the report's among them. */
+function fieldNumber(index: number): Field {
+  return {
+    influence: [1, 0, 2, 1, 3, 5, 9][index % 7],
+    repulsiveValue: [30, 1, 200, 0, 7.5][index % 5],
+    repulsionDistance: index % 3 === 0 ? 'manhattan' : 'euclidean',
+  }
+}
+
+function mustHavePotentials(name: string, world: World, field: Field, tape: Tape): void {
+  let found = 0
+  for (let i = 0; i < tape.length; i++) {
+    if (tape.kinds[i] !== EVENT.potential) continue
+    const [cell] = placesOf(world, [tape.cells[i]])
+    const wall = isWall(world, cell[0], cell[1])
+    const expected = wall ? Number.POSITIVE_INFINITY : potentialAt(world, field, cell)
+    must(
+      isClose(tape.values[i], expected),
+      () => `${name}: potential ${tape.values[i]} at ${cell} instead of ${expected}`,
+    )
+    if (!wall) found++
+  }
+  const free = freeCells(world).length
+  must(found === free, () => `${name}: potential of ${found} of ${free} free cells`)
+}
+
+test('both potential fields and the walks down them', { timeout: LONG }, async () => {
+  await onEveryMap((world, index) => {
+    const field = fieldNumber(index)
+    for (const id of ['potential-field', 'potential-field-memory']) {
+      const tape = new Tape()
+      const found = run(world, id, { ...field }, tape)
+      const { name, outcome, path } = found
+      mustHavePotentials(name, world, field, tape)
+      const expected = descend(world, field, id === 'potential-field-memory')
+      must(outcome.status === expected.status, () => `${name}: ${outcome.status}`)
+      mustWalkAlike(name, path, expected.path)
+      mustBeModest(world, found)
+      // Downhill all the way, or remembering: no cell comes twice.
+      mustNotExceed(freeCells(world).length - 1, found)
+    }
+  })
+})

@@ -1,0 +1,134 @@
+import { test } from 'vitest'
+import {
+  EVENT,
+  frameAt,
+  type Outcome,
+  type Param,
+  type ParamSettings,
+  plan,
+  planners,
+  Tape,
+} from '../../src/index'
+import { LONG, must, onEveryMap } from '../reference/cases'
+import { Dice } from '../reference/random'
+import { run } from '../reference/run'
+import { problemOf, type World } from '../reference/world'
+
+/** Any values that the planner declares to be possible, so that a new planner is tested too. */
+function anySettings(params: readonly Param[], dice: Dice): ParamSettings {
+  return Object.fromEntries(params.map((param) => [param.name, anyValue(param, dice)]))
+}
+
+function anyValue(param: Param, dice: Dice): number | string | boolean {
+  switch (param.kind) {
+    case 'boolean':
+      return dice.onceIn(2)
+    case 'choice':
+      return dice.pick(param.choices)
+    default: {
+      // The first few: they are the ones that are used, and large ones take long.
+      const most = Math.min(param.max, param.min + dice.pick([5, 40]))
+      return param.kind === 'integer'
+        ? dice.between(param.min, most)
+        : param.min + (most - param.min) * (dice.below(1000) / 1000)
+    }
+  }
+}
+
+const SECOND_IS_A_CELL: ReadonlySet<number> = new Set([
+  EVENT.open,
+  EVENT.edge,
+  EVENT.step,
+  EVENT.hit,
+])
+/** Obstacles may lie outside the map, where a cell has no number. */
+const MAY_BE_OUTSIDE: ReadonlySet<number> = new Set([EVENT.feel, EVENT.value])
+
+function mustBeWritten(name: string, world: World, tape: Tape, lines: number): void {
+  const cells = world.width * world.height
+  const kinds = new Set<number>(Object.values(EVENT))
+  const isCell = (cell: number, least: number) => cell >= least && cell < cells
+  for (let i = 0; i < tape.length; i++) {
+    const kind = tape.kinds[i]
+    must(kinds.has(kind), () => `${name}: event ${i} is of no kind (${kind})`)
+    must(tape.lines[i] < lines, () => `${name}: event ${i} names line ${tape.lines[i]} of ${lines}`)
+    const least = MAY_BE_OUTSIDE.has(kind) ? -1 : 0
+    must(isCell(tape.cells[i], least), () => `${name}: event ${i} (${kind}) at ${tape.cells[i]}`)
+    const second = tape.others[i]
+    must(
+      !SECOND_IS_A_CELL.has(kind) || isCell(second, -1),
+      () => `${name}: event ${i} (${kind}) names cell ${second}`,
+    )
+    must(!Number.isNaN(tape.values[i]), () => `${name}: event ${i} (${kind}) has no value`)
+  }
+}
+
+function mustBeEqual(name: string, one: Tape, other: Tape): void {
+  must(one.length === other.length, () => `${name}: ${one.length} events, then ${other.length}`)
+  for (let i = 0; i < one.length; i++) {
+    must(
+      one.kinds[i] === other.kinds[i] &&
+        one.lines[i] === other.lines[i] &&
+        one.cells[i] === other.cells[i] &&
+        one.others[i] === other.others[i] &&
+        one.values[i] === other.values[i],
+      () => `${name}: event ${i} is not the same the second time`,
+    )
+  }
+}
+
+test('tapes: true, complete and the same each time', { timeout: LONG }, async () => {
+  // One tape for all second runs: what an earlier run wrote on it must not show.
+  const again = new Tape()
+  await onEveryMap((world, index) => {
+    const dice = new Dice(7, index)
+    const runs = planners.map((planner) => {
+      const params = anySettings(planner.params, dice)
+      const tape = new Tape()
+      return { planner, params, tape, ...run(world, planner.id, params, tape) }
+    })
+    // The other planners ran in between, and come in the other order now.
+    for (const { planner, params, tape, name, outcome } of runs.reverse()) {
+      mustBeWritten(name, world, tape, planner.pseudocode.length)
+      const second = run(world, planner.id, params, again)
+      mustBeEqual(name, tape, again)
+      mustAgree(name, outcome, second.outcome)
+      mustAgree(name, outcome, run(world, planner.id, params).outcome)
+
+      const frame = frameAt(tape, tape.length)
+      const drawn = frame.trail.length > 0 ? frame.trail : frame.path
+      must(
+        String(drawn) === String([...outcome.path]),
+        () => `${name}: the tape ends with ${drawn}, but the path is ${outcome.path}`,
+      )
+      if (planner.family === 'online') {
+        const sensed = frame.known.filter((known) => known > 0).length
+        must(sensed === outcome.sensed, () => `${name}: ${sensed} cells sensed on the tape`)
+      }
+    }
+  })
+})
+
+function mustAgree(name: string, one: Outcome, other: Outcome): void {
+  const words = ({ path, ...rest }: Outcome) => JSON.stringify({ ...rest, path: [...path] })
+  must(words(one) === words(other), () => `${name}: ${words(one)}, then ${words(other)}`)
+}
+
+test('the seed, and nothing else, decides what is random', { timeout: LONG }, async () => {
+  let different = 0
+  await onEveryMap((world, index) => {
+    if (index % 10 !== 0) return
+    for (const planner of planners) {
+      const tapes = [1, 1, 2].map((seed) => {
+        const tape = new Tape()
+        plan(problemOf(world), planner.id, { seed, tape })
+        return tape
+      })
+      mustBeEqual(planner.id, tapes[0], tapes[1])
+      if (planner.usesSeed) {
+        if (String(tapes[0].cells) !== String(tapes[2].cells)) different++
+      } else mustBeEqual(planner.id, tapes[0], tapes[2])
+    }
+  })
+  must(different > 0, () => 'another seed never changed a thing')
+})
