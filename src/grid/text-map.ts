@@ -45,19 +45,27 @@ export function problemFromText(
   return { grid: { width, height: rows.length, walls }, start, goal, diagonal }
 }
 
+const SIGN = { free: 0x2e, obstacle: 0x23, start: 0x53, goal: 0x47 } as const
+
+function signs(grid: Grid): Uint8Array {
+  return grid.walls.map((wall) => (wall ? SIGN.obstacle : SIGN.free))
+}
+
+function rowsOf(signs: Uint8Array, { width, height }: Grid): string[] {
+  return Array.from({ length: height }, (_, y) =>
+    String.fromCharCode(...signs.subarray(y * width, (y + 1) * width)),
+  )
+}
+
 /** The rows of a map, `#` obstacle and `.` free. */
 export function gridToRows(grid: Grid): string[] {
-  return Array.from({ length: grid.height }, (_, y) =>
-    Array.from(grid.walls.subarray(y * grid.width, (y + 1) * grid.width), (wall) =>
-      wall ? '#' : '.',
-    ).join(''),
-  )
+  return rowsOf(signs(grid), grid)
 }
 
 /** The text map of a problem: what `problemFromText` reads. A start on the goal shows as `G`. */
 export function problemToText({ grid, start, goal }: Problem): string {
-  const cells = gridToRows(grid).map((row) => row.split(''))
-  cells[Math.floor(start / grid.width)][start % grid.width] = 'S'
-  cells[Math.floor(goal / grid.width)][goal % grid.width] = 'G'
-  return `${cells.map((row) => row.join('')).join('\n')}\n`
+  const cells = signs(grid)
+  cells[start] = SIGN.start
+  cells[goal] = SIGN.goal
+  return `${rowsOf(cells, grid).join('\n')}\n`
 }

@@ -9,8 +9,8 @@ import { FORMAT, readProject } from './project-file'
 
 export type { OpenedMap } from './opened-map'
 
-/** More characters than any map needs, however generously its JSON is laid out. */
-export const MAX_FILE_LENGTH = 2 ** 26
+/** More characters than the largest map needs in any of the formats. */
+export const MAX_FILE_LENGTH = 2 ** 24
 const MAX_TEXT_MAP_LENGTH = 2 * MAX_SIDE * MAX_SIDE
 
 /**
@@ -23,13 +23,13 @@ export function openMap(text: string): OpenedMap {
   const content = text.charCodeAt(0) === 0xfeff ? text.slice(1) : text
   const beginning = content.trimStart().slice(0, 100)
   if (beginning === '') throw new InputError('The file is empty.')
-  if (/^[{[]/.test(beginning)) return openJson(parseJson(content))
+  if (beginning.startsWith('{')) return openJson(parseJson(content))
   if (/^[#.SG]{2}/.test(beginning)) {
     checkLength(content, MAX_TEXT_MAP_LENGTH)
     return { problem: problemFromText(content), notes: [] }
   }
   throw new InputError(
-    `This file is no map. It begins with ${excerpt(beginning)}, but a map is a JSON file ` +
+    `This file is no map. It begins with ${excerpt(beginning)}, but a map is a JSON object ({…}) ` +
       'or rows of "#" obstacle, "." free, "S" start and "G" goal.',
   )
 }

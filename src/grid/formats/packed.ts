@@ -23,24 +23,34 @@ export function unpackWalls(bits: Uint8Array, count: number): Uint8Array {
 }
 
 const DIGITS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/'
-
+const CODES = Uint8Array.from(DIGITS, (digit) => digit.charCodeAt(0))
 const VALUES = new Int8Array(128).fill(-1)
-for (let i = 0; i < DIGITS.length; i++) VALUES[DIGITS.charCodeAt(i)] = i
+CODES.forEach((code, value) => {
+  VALUES[code] = value
+})
+
+const PADDING = '='.charCodeAt(0)
 
 /** Base64 (RFC 4648, section 4) with padding. Written out because browsers and Node share no way. */
 export function toBase64(bytes: Uint8Array): string {
-  const parts: string[] = []
+  const codes = new Uint8Array(Math.ceil(bytes.length / 3) * 4)
+  let at = 0
   for (let i = 0; i < bytes.length; i += 3) {
     // Bytes beyond the end count as 0.
     const three = (bytes[i] << 16) | ((bytes[i + 1] ?? 0) << 8) | (bytes[i + 2] ?? 0)
-    parts.push(
-      DIGITS[three >> 18],
-      DIGITS[(three >> 12) & 63],
-      i + 1 < bytes.length ? DIGITS[(three >> 6) & 63] : '=',
-      i + 2 < bytes.length ? DIGITS[three & 63] : '=',
-    )
+    for (let shift = 18; shift >= 0; shift -= 6) codes[at++] = CODES[(three >> shift) & 63]
   }
-  return parts.join('')
+  codes.fill(PADDING, codes.length - ((3 - (bytes.length % 3)) % 3))
+  return textOf(codes)
+}
+
+/** In pieces, because a function takes only so many arguments. */
+function textOf(codes: Uint8Array): string {
+  const pieces: string[] = []
+  for (let i = 0; i < codes.length; i += 4096) {
+    pieces.push(String.fromCharCode(...codes.subarray(i, i + 4096)))
+  }
+  return pieces.join('')
 }
 
 /**
