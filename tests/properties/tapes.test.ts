@@ -1,39 +1,10 @@
 import { test } from 'vitest'
-import {
-  EVENT,
-  frameAt,
-  type Outcome,
-  type Param,
-  type ParamSettings,
-  plan,
-  planners,
-  Tape,
-} from '../../src/index'
+import { EVENT, frameAt, type Outcome, plan, planners, Tape } from '../../src/index'
 import { LONG, must, onEveryMap } from '../reference/cases'
 import { Dice } from '../reference/random'
 import { run } from '../reference/run'
+import { anySettings } from '../reference/settings'
 import { problemOf, type World } from '../reference/world'
-
-/** Any values that the planner declares to be possible, so that a new planner is tested too. */
-function anySettings(params: readonly Param[], dice: Dice): ParamSettings {
-  return Object.fromEntries(params.map((param) => [param.name, anyValue(param, dice)]))
-}
-
-function anyValue(param: Param, dice: Dice): number | string | boolean {
-  switch (param.kind) {
-    case 'boolean':
-      return dice.onceIn(2)
-    case 'choice':
-      return dice.pick(param.choices)
-    default: {
-      // The first few: they are the ones that are used, and large ones take long.
-      const most = Math.min(param.max, param.min + dice.pick([5, 40]))
-      return param.kind === 'integer'
-        ? dice.between(param.min, most)
-        : param.min + (most - param.min) * (dice.below(1000) / 1000)
-    }
-  }
-}
 
 const SECOND_IS_A_CELL: ReadonlySet<number> = new Set([
   EVENT.open,
