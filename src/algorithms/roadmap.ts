@@ -5,6 +5,7 @@ import type { Problem } from '../grid/problem'
 import { simplestPath } from '../grid/simplest-path'
 import { EVENT } from '../trace/events'
 import type { Tape } from '../trace/tape'
+import { ClearRuns } from './clear-runs'
 import { type Cost, costOfRank, rank } from './costs'
 import type { Answer, Status } from './planner'
 import { pseudocode } from './pseudocode'
@@ -49,7 +50,7 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   const { problem, cost, failure, lines, tape, progress } = task
   const { vertices } = roadmap
   const { width } = problem.grid
-  if (tape) recordRoadmap(roadmap, width, lines, tape, cost)
+  if (tape) recordRoadmap(roadmap, problem, lines, tape, cost)
   const weight = (a: number, b: number) => rankOfEdge(cost, width, vertices[a], vertices[b])
   const start = vertices.indexOf(problem.start)
   const goal = vertices.indexOf(problem.goal)
@@ -97,7 +98,7 @@ function rankOfEdge(cost: Cost, width: number, a: Cell, b: Cell): number {
 
 function recordRoadmap(
   { vertices, eachNeighbour }: Roadmap,
-  width: number,
+  problem: Problem,
   lines: RoadmapLines,
   tape: Tape,
   cost: Cost,
@@ -105,13 +106,18 @@ function recordRoadmap(
   tape.at(lines.vertices)
   for (const cell of vertices) tape.write(EVENT.vertex, cell)
   tape.at(lines.edges)
+  const { width } = problem.grid
+  const runs = new ClearRuns(problem)
   const lastSeenFrom = new Int32Array(vertices.length).fill(-1)
   for (let vertex = 0; vertex < vertices.length; vertex++) {
     eachNeighbour(vertex, (other) => {
       if (other <= vertex || lastSeenFrom[other] === vertex) return
       lastSeenFrom[other] = vertex
-      const weight = costOfRank(cost, rankOfEdge(cost, width, vertices[vertex], vertices[other]))
-      tape.write(EVENT.edge, vertices[vertex], vertices[other], weight)
+      const a = vertices[vertex]
+      const b = vertices[other]
+      const weight = costOfRank(cost, rankOfEdge(cost, width, a, b))
+      if (runs.isFree(a, b)) tape.write(EVENT.edge, a, b, weight)
+      else tape.write(EVENT.edge, b, a, weight)
     })
   }
 }

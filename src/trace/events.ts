@@ -9,7 +9,7 @@ export const EVENT = {
   close: 1,
   /** A vertex of the roadmap: cell. */
   vertex: 2,
-  /** An edge of the roadmap: cell, other cell, weight. */
+  /** An edge of the roadmap, in a direction whose simplest path is free: cell, other cell, weight. */
   edge: 3,
   /** The potential of a cell: cell, -, potential. */
   potential: 4,
