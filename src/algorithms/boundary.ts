@@ -24,10 +24,11 @@ export const isIn = (directions: Directions, d: Direction): boolean => ((directi
 /**
  * The obstacle that refuses a step: the cell it leads to or, for a diagonal step between
  * obstacles, one of the two beside it. Both belong to one obstacle, so it does not matter which.
+ * -1 if none of them is an obstacle.
  */
 export function obstacleInTheWay(obstacles: Directions, refused: Direction): Direction {
   const candidates = [refused, (refused + 7) & 7, (refused + 1) & 7]
-  return candidates.find((d) => isIn(obstacles, d)) ?? refused
+  return candidates.find((d) => isIn(obstacles, d)) ?? -1
 }
 
 /**

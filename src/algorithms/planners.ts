@@ -5,6 +5,7 @@ import type { AnyPlanner } from './planner'
 import { potentialField } from './potential-field'
 import { potentialFieldMemory } from './potential-field-memory'
 import { probabilisticRoadmap } from './probabilistic-roadmap'
+import { tangentBug } from './tangent-bug'
 import { visibilityGraph } from './visibility-graph'
 
 /** All planners, in the report's order. */
@@ -16,4 +17,5 @@ export const planners: readonly AnyPlanner[] = [
   potentialFieldMemory,
   bug1,
   bug2,
+  tangentBug,
 ]

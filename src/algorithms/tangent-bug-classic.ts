@@ -1,0 +1,133 @@
+import { DX, DY, stepped } from '../grid/directions'
+import { isSamePlace, type Point, placeName } from '../grid/grid'
+import { distance, farness, simplestStep } from '../grid/simplest-path'
+import type { DriveNotes } from '../rover/drive-notes'
+import type { Rover } from '../rover/rover'
+import { boxedIn, hitObstacle, isIn, type Turn } from './boundary'
+import type { DriveAnswer } from './planner'
+import {
+  freeSteps,
+  placesInReach,
+  sensedObstacle,
+  shorter,
+  type Way,
+  wayOver,
+} from './sensed-square'
+import { D_FOLLOWED, D_REACH, line } from './tangent-bug-lines'
+
+/**
+ * Tangent Bug as its authors have it, carried over to the grid; "nearer" is by `farness`.
+ *
+ * It ends: every target is nearer to the goal than all targets before it, a target is only given up
+ * for one with a shorter way, and each boundary is left for a place nearer than d_followed, which is
+ * nearer than the hit point (the cell that refuses a step of the simplest path always is).
+ *
+ * It is complete, for every range: let q be the cell of the followed obstacle nearest to the goal.
+ * The simplest path from q to the goal only meets nearer cells, so it does not meet this obstacle
+ * again, nor does it pass between two of its cells, because these would be nearer too. So if the
+ * goal can be reached, its first cell p is free and on the boundary that the rover follows. There,
+ * at the latest, d_reach is less than d_followed, because p is nearer than q.
+ */
+export function driveClassic(rover: Rover, turn: Turn, notes: DriveNotes): DriveAnswer {
+  const { goal } = rover
+  const isAtGoal = () => isSamePlace(rover.position, goal)
+  const far = (place: Point) => farness(place, goal)
+  const goTowards = (place: Point) => {
+    rover.step(simplestStep(rover.position, place))
+    rover.sense()
+  }
+  /** The farness that the next target must be below. */
+  let bound = far(rover.position)
+  let target: Point | undefined
+  rover.sense()
+  while (!isAtGoal()) {
+    if (target && isSamePlace(rover.position, target)) {
+      bound = far(target)
+      target = undefined
+    }
+    notes.at(line.nodes)
+    const node = bestNode(rover, bound)
+    if (node && (!target || node.steps < wayOver(rover, target).steps)) {
+      target = node.place
+      notes.at(line.target).target(target, node.steps)
+    }
+    // Nothing to steer for, but the way is free: the simplest path gets nearer as well.
+    const ahead = simplestStep(rover.position, goal)
+    if (!target && isIn(rover.legalSteps(), ahead)) target = stepped(rover.position, ahead)
+    if (target) {
+      notes.at(line.towards)
+      goTowards(target)
+      continue
+    }
+
+    const hitPoint = rover.position
+    const walk = hitObstacle(rover, ahead, turn, notes.at(line.hit))
+    if (walk.isBoxedIn) return boxedIn('unreachable', hitPoint)
+    let followed = stepped(rover.position, walk.obstacle)
+    for (;;) {
+      const obstacle = sensedObstacle(rover, stepped(rover.position, walk.obstacle))
+      followed = nearest(followed, obstacle, far)
+      const reach = nearest(rover.position, placesInReach(rover), far)
+      notes.at(line.reach).value(D_REACH, distance(reach, goal))
+      notes.at(line.followed).value(D_FOLLOWED, distance(followed, goal))
+      if (far(reach) < far(followed)) {
+        notes.at(line.leave).leave()
+        bound = far(followed)
+        target = reach
+        break
+      }
+      if (walk.isAround) {
+        notes.at(line.unreachable)
+        const reason = `went round the obstacle once from hit point ${placeName(hitPoint)} without seeing a place nearer to the goal`
+        return { status: 'unreachable', reason }
+      }
+      notes.at(line.around)
+      walk.step()
+    }
+  }
+  notes.at(line.reached)
+  return { status: 'reached', reason: 'the rover is at the goal' }
+}
+
+function nearest(first: Point, others: Iterable<Point>, far: (place: Point) => number): Point {
+  let best = first
+  for (const place of others) if (far(place) < far(best)) best = place
+  return best
+}
+
+/** The node of the local tangent graph with the least way over it, of those below the bound. */
+function bestNode(rover: Rover, bound: number): Way | undefined {
+  const nodes = freeWayToGoal(rover)
+  for (const place of placesInReach(rover)) if (isEnd(rover, place)) nodes.push(place)
+  return nodes
+    .filter((place) => farness(place, rover.goal) < bound)
+    .map((place) => wayOver(rover, place))
+    .reduce<Way | undefined>((best, way) => (best ? shorter(best, way) : way), undefined)
+}
+
+/** Where the simplest path to the goal leaves the sensed square, or the goal; none if it is blocked. */
+function freeWayToGoal(rover: Rover): Point[] {
+  const { position, goal, range } = rover
+  const steps = Math.min(range, distance(position, goal))
+  if (freeSteps(rover, goal, steps) < steps) return []
+  let place = position
+  for (let i = 0; i < steps; i++) place = stepped(place, simplestStep(place, goal))
+  return [place]
+}
+
+/**
+ * Where a sensed obstacle ends: at its corners, and at the rim of the sensed square, where its
+ * boundary leads on out of sight.
+ */
+function isEnd(rover: Rover, place: Point): boolean {
+  const obstacles = rover.obstaclesAround(place)
+  if (obstacles === 0) return false
+  if (distance(rover.position, place) === rover.range) return true
+  for (let d = 1; d < 8; d += 2) {
+    const beside = [d, d - 1, (d + 1) & 7].map((side) =>
+      rover.known(place.x + DX[side], place.y + DY[side]),
+    )
+    if (beside[0] === 'obstacle' && beside[1] === 'free' && beside[2] === 'free') return true
+  }
+  return false
+}

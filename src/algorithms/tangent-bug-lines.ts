@@ -1,0 +1,30 @@
+import { pseudocode } from './pseudocode'
+
+/** Both variants of Tangent Bug in one list, so that each event's line is found in one place. */
+export const { text, line } = pseudocode({
+  report: 'variant report (Algorithms 3 and 4):',
+  follow: '  follow the simplest path to the goal until it is blocked within range',
+  loop: '  if the rover was blocked at this place before: it goes round for ever',
+  end: '  end ← of the ends of the sensed obstacle in reach, the one with the least distance rover → end → goal',
+  approach: '  go straight to that end',
+  turn: '  turn to the side whose first step is nearer to the goal',
+  followBoundary:
+    '  follow the boundary until a free step of the simplest path leads away, with the goal no farther than from the followed obstacle cell',
+  depart: '  leave there and start over',
+  classic: 'variant classic (Kamon, Rimon and Rivlin):',
+  nodes: '  nodes ← the free way to the goal, and the ends of the sensed obstacles',
+  target:
+    '  target ← of the nodes nearer to the goal than all targets before, the one with the least distance rover → node → goal',
+  towards: '  motion to goal: a step towards the target',
+  hit: '  if no node is nearer to the goal: follow the boundary of the obstacle in the way',
+  reach: '  d_reach ← distance to the goal of the nearest free place in reach',
+  followed: '  d_followed ← distance to the goal of the nearest cell sensed of this obstacle',
+  around: '  while d_reach is not less than d_followed: a step along the boundary',
+  unreachable: '  if that came round once: the goal is unreachable',
+  leave: '  else leave for the place in reach and start over',
+  reached: 'as soon as the goal is met: done',
+})
+
+/** The variables of Tangent Bug, as `value` events count them. */
+export const D_REACH = 0
+export const D_FOLLOWED = 1
