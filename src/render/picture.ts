@@ -144,7 +144,7 @@ export class Picture {
     const { context } = this.#marks
     this.#marks.clear()
     if (rover >= 0 && range > 0) drawSensedSquare(context, place, theme, rover, range)
-    drawEnds(context, place, theme, problem.start, problem.goal)
+    drawEnds(context, place, theme, problem, rover)
     if (rover >= 0) {
       if (target >= 0 && target !== rover) drawTarget(context, place, theme, rover, target)
       drawRover(context, place, theme, rover, heading)

@@ -52,7 +52,7 @@ export const darkTheme: Theme = {
   name: 'dark',
   outside: '#070c1a',
   border: '#3a4a78',
-  gridLine: 'rgba(150, 176, 255, 0.13)',
+  gridLine: 'rgba(122, 136, 176, 0.22)',
   cell: {
     free: '#101c3d',
     open: '#2a6a8f',
@@ -87,7 +87,7 @@ export const lightTheme: Theme = {
   name: 'light',
   outside: '#e3e6ee',
   border: '#7f8aa6',
-  gridLine: 'rgba(28, 44, 96, 0.13)',
+  gridLine: 'rgba(60, 70, 104, 0.16)',
   cell: {
     free: '#fdfdfb',
     open: '#a9dbe6',
@@ -95,11 +95,11 @@ export const lightTheme: Theme = {
     sensed: '#fdfdfb',
     unsensed: '#ccd2e0',
   },
-  obstacle: { seen: '#8f6b37', unsensed: '#7d7263', felt: '#b3500c' },
-  rim: '#ffffff',
-  unsensedRim: '#e8e6e4',
-  feltMark: '#ffe7cf',
-  heat: ['#fffdf5', '#e8e6fa', '#d3cdf6', '#c3b3ee', '#b99be3', '#b183d3'],
+  obstacle: { seen: '#a37c45', unsensed: '#85796a', felt: '#cf6a1c' },
+  rim: '#6b4b1e',
+  unsensedRim: '#615748',
+  feltMark: '#fff3e6',
+  heat: ['#fffdf5', '#ebe9fb', '#d9d4f8', '#cbbef2', '#c3a9ea', '#bd95de'],
   ink: { dark: '#1b1440', light: '#ffffff' },
   start: '#0b7a3e',
   goal: '#d0182f',
@@ -117,3 +117,5 @@ export const lightTheme: Theme = {
   sensorArea: 'rgba(31, 95, 174, 0.10)',
   cursor: '#10204a',
 }
+
+export const themes = { dark: darkTheme, light: lightTheme } as const

@@ -9,7 +9,7 @@ import {
 } from '../placement'
 import type { Theme } from '../theme'
 
-const NUMBERS_FROM = 18
+const NUMBERS_FROM = 22
 
 type Context = CanvasRenderingContext2D
 

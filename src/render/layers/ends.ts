@@ -1,4 +1,5 @@
 import type { Cell } from '../../grid/grid'
+import type { Problem } from '../../grid/problem'
 import { cellsAreAtLeast, centreX, centreY, inProportion, type Placement } from '../placement'
 import type { Theme } from '../theme'
 
@@ -6,17 +7,21 @@ const GLYPHS_FROM = 14
 
 type Context = CanvasRenderingContext2D
 
-/** Start and goal: a disc and a diamond, never so small that they cannot be found. */
+/**
+ * Start and goal: a disc and a diamond, never so small that they cannot be found, and larger under
+ * the rover, so that they can be seen behind it.
+ */
 export function drawEnds(
   context: Context,
   place: Placement,
   theme: Theme,
-  start: Cell,
-  goal: Cell,
+  { start, goal }: Pick<Problem, 'start' | 'goal'>,
+  rover: Cell,
 ): void {
-  const radius = inProportion(place, 0.46, 6, 30)
-  drawGoal(context, place, theme, goal, radius)
-  drawStart(context, place, theme, start, start === goal ? 0.45 * radius : 0.86 * radius)
+  const radius = inProportion(place, 0.46, 6.5, 30)
+  const radiusAt = (cell: Cell) => (cell === rover ? 1.35 * radius : radius)
+  drawGoal(context, place, theme, goal, radiusAt(goal))
+  drawStart(context, place, theme, start, (start === goal ? 0.45 : 0.86) * radiusAt(start))
 }
 
 function drawStart(context: Context, place: Placement, theme: Theme, cell: Cell, radius: number) {

@@ -15,10 +15,14 @@ export function drawMLine(
   context.lineJoin = 'round'
   context.lineCap = 'butt'
   context.setLineDash([dash, 0.7 * dash])
-  context.strokeStyle = theme.mLine
-  context.lineWidth = inProportion(place, 0.08, 1.25, 3)
   context.beginPath()
   traceCells(context, place, cells)
+  const width = inProportion(place, 0.08, 1.5, 3)
+  context.strokeStyle = theme.casing
+  context.lineWidth = 2 * width
+  context.stroke()
+  context.strokeStyle = theme.mLine
+  context.lineWidth = width
   context.stroke()
   context.setLineDash([])
 }

@@ -11,7 +11,7 @@ export function drawRoute(
   cells: readonly Cell[],
 ): void {
   if (cells.length < 2) return
-  const width = inProportion(place, 0.2, 2, 9)
+  const width = inProportion(place, 0.22, 2.25, 9)
   context.lineJoin = 'round'
   context.lineCap = 'round'
   context.beginPath()
