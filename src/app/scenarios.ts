@@ -33,7 +33,7 @@ export const scenarios: readonly Scenario[] = [
     see: 'Inside the hollow every cell around the last one has a higher potential, so there is no way down and the agent stays where it is.',
     problem: problemFromText(maps.fig06),
     planner: 'potential-field',
-    params: {},
+    params: { influence: 1, repulsiveValue: 30 },
   },
   {
     id: 'fig07',
@@ -42,7 +42,7 @@ export const scenarios: readonly Scenario[] = [
     see: 'The same hollow: because it may not step on its own path again, the agent must climb, and finds its way out and around.',
     problem: problemFromText(maps.fig07),
     planner: 'potential-field-memory',
-    params: { repulsionDistance: 'manhattan' },
+    params: { influence: 1, repulsiveValue: 30, repulsionDistance: 'manhattan' },
   },
   {
     id: 'fig09',
@@ -69,7 +69,7 @@ export const scenarios: readonly Scenario[] = [
     see: 'On the map where Bug1 walks around everything, Bug2 leaves each obstacle as soon as it meets its first straight path again: less than half the way.',
     problem: problemFromText(maps.fig11),
     planner: 'bug2',
-    params: {},
+    params: { leave: 'report' },
   },
   {
     id: 'fig12-bug1',
@@ -96,7 +96,7 @@ export const scenarios: readonly Scenario[] = [
     see: 'The map of Fig. 11: Tangent Bug senses the obstacle before it touches it and makes straight for its end, so its path is shorter than that of Bug2.',
     problem: problemFromText(maps.fig11),
     planner: 'tangent-bug',
-    params: {},
+    params: { variant: 'report', range: 2 },
   },
   {
     id: 'fig14-bug2',
@@ -105,7 +105,7 @@ export const scenarios: readonly Scenario[] = [
     see: 'Bug2 follows the wall until it meets its straight path, which lies just right here: compare the length with that of Tangent Bug.',
     problem: problemFromText(maps.fig14),
     planner: 'bug2',
-    params: {},
+    params: { leave: 'report' },
   },
   {
     id: 'fig14-tangent-bug',
@@ -114,7 +114,7 @@ export const scenarios: readonly Scenario[] = [
     see: 'Sensing ahead does not always pay: here Tangent Bug comes to the goal by a longer path than Bug2.',
     problem: problemFromText(maps.fig14),
     planner: 'tangent-bug',
-    params: {},
+    params: { variant: 'report', range: 2 },
   },
   {
     id: 'banner',
