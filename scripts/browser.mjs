@@ -68,6 +68,7 @@ function installPlaywrights() {
 }
 
 function installDebians() {
+  if (platform() !== 'linux') return
   const isRoot = process.getuid?.() === 0
   /** @param {string[]} args */
   const aptGet = (...args) => {
