@@ -1,0 +1,58 @@
+import { plannerById } from '../../algorithms/plan'
+import { byId, create } from '../element'
+import { type Scenario, scenarios } from '../scenarios'
+import type { Setup } from '../setup'
+import type { State } from '../state'
+import type { Store } from '../store'
+import { changeMap } from '../transitions'
+import { dialog } from './dialog'
+
+/** The map of a scenario, with its planner and settings; the other planners keep theirs. */
+export function withScenario(setup: Setup, { problem, planner, params }: Scenario): Setup {
+  return { ...setup, problem, plannerId: planner, params: { ...setup.params, [planner]: params } }
+}
+
+/** Binds the dialog of the scenarios; returns what opens it. */
+export function scenariosDialog(store: Store<State>): () => void {
+  const element = dialog('scenarios-dialog')
+  const list = byId('scenarios-list', HTMLUListElement)
+  for (const scenario of scenarios) {
+    const { title, figure, see, planner } = scenario
+    const button = create(
+      'button',
+      { type: 'button', class: 'scenario', 'data-scenario': scenario.id },
+      thumbnail(scenario),
+      create('span', { class: 'scenario-title' }, figure ? `${figure}: ${title}` : title),
+      create('span', { class: 'scenario-planner' }, plannerById(planner).title),
+      create('span', { class: 'scenario-see' }, see),
+    )
+    button.addEventListener('click', () => {
+      element.close()
+      store.update((state) => changeMap(state, withScenario(state.setup, scenario), `${title}.`))
+    })
+    list.append(create('li', {}, button))
+  }
+  return () => element.showModal()
+}
+
+const SVG = 'http://www.w3.org/2000/svg'
+
+/** A small picture of a map. */
+function thumbnail({ problem }: Scenario): SVGSVGElement {
+  const { grid, start, goal } = problem
+  const { width } = grid
+  const square = (cell: number) => `M${cell % width} ${Math.floor(cell / width)}h1v1h-1z`
+  const walls = [...grid.walls.keys()].filter((cell) => grid.walls[cell] === 1)
+  const svg = document.createElementNS(SVG, 'svg')
+  svg.setAttribute('viewBox', `0 0 ${width} ${grid.height}`)
+  svg.setAttribute('aria-hidden', 'true')
+  svg.classList.add('thumbnail')
+  const shapes = { walls: walls.map(square).join(''), start: square(start), goal: square(goal) }
+  for (const [name, outline] of Object.entries(shapes)) {
+    const path = document.createElementNS(SVG, 'path')
+    path.setAttribute('d', outline)
+    path.classList.add(`thumbnail-${name}`)
+    svg.append(path)
+  }
+  return svg
+}

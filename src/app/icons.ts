@@ -1,0 +1,90 @@
+import {
+  mdiAlert,
+  mdiBookOpenVariant,
+  mdiBrightness4,
+  mdiCheckCircle,
+  mdiChevronDown,
+  mdiClose,
+  mdiContentSaveOutline,
+  mdiDice5Outline,
+  mdiDrag,
+  mdiEraser,
+  mdiFilePlusOutline,
+  mdiFitToScreenOutline,
+  mdiFolderOpenOutline,
+  mdiHelpCircleOutline,
+  mdiInformationOutline,
+  mdiMapMarkerPath,
+  mdiMapOutline,
+  mdiMinus,
+  mdiPlus,
+  mdiRedo,
+  mdiShieldCheck,
+  mdiTimerSand,
+  mdiUndo,
+  mdiWall,
+  mdiWeatherNight,
+  mdiWeatherSunny,
+} from '@mdi/js'
+
+/** Outlines of 24 × 24 icons by the name that `data-icon` gives. */
+export const ICONS = {
+  map: mdiMapOutline,
+  new: mdiFilePlusOutline,
+  scenarios: mdiBookOpenVariant,
+  generate: mdiWall,
+  open: mdiFolderOpenOutline,
+  save: mdiContentSaveOutline,
+  'clear-obstacles': mdiEraser,
+  'clear-path': mdiMapMarkerPath,
+  undo: mdiUndo,
+  redo: mdiRedo,
+  'zoom-in': mdiPlus,
+  'zoom-out': mdiMinus,
+  fit: mdiFitToScreenOutline,
+  'theme-system': mdiBrightness4,
+  'theme-dark': mdiWeatherNight,
+  'theme-light': mdiWeatherSunny,
+  help: mdiHelpCircleOutline,
+  about: mdiInformationOutline,
+  move: mdiDrag,
+  fold: mdiChevronDown,
+  close: mdiClose,
+  dice: mdiDice5Outline,
+  good: mdiCheckCircle,
+  proof: mdiShieldCheck,
+  bad: mdiAlert,
+  busy: mdiTimerSand,
+} as const
+
+export type IconName = keyof typeof ICONS
+
+const SVG = 'http://www.w3.org/2000/svg'
+
+const isIconName = (name: string | undefined): name is IconName =>
+  name !== undefined && name in ICONS
+
+export function icon(name: IconName): SVGSVGElement {
+  const svg = document.createElementNS(SVG, 'svg')
+  svg.classList.add('icon')
+  svg.setAttribute('aria-hidden', 'true')
+  setIcon(svg, name)
+  return svg
+}
+
+export function setIcon(svg: SVGSVGElement, name: IconName): void {
+  if (svg.dataset.icon === name && svg.firstChild) return
+  svg.dataset.icon = name
+  svg.setAttribute('viewBox', '0 0 24 24')
+  const path = document.createElementNS(SVG, 'path')
+  path.setAttribute('d', ICONS[name])
+  svg.replaceChildren(path)
+}
+
+/** Draws the icons that the page names with `data-icon`. */
+export function drawIcons(root: ParentNode): void {
+  for (const svg of root.querySelectorAll<SVGSVGElement>('svg[data-icon]')) {
+    const { icon: name } = svg.dataset
+    if (isIconName(name)) setIcon(svg, name)
+  }
+}

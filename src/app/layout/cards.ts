@@ -1,0 +1,139 @@
+import type { Rect } from '../../render/view'
+
+/** Below this width of the window the cards lie at its bottom, one open at a time. */
+export const NARROW = '(max-width: 640px)'
+
+const KEY_STEP = 16
+const LARGE_KEY_STEP = 96
+const KEPT_ON_SCREEN = 44
+
+const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+}
+
+/**
+ * Makes the cards movable, by their headers and with the keys of their handles, and foldable.
+ * `changed` is called when what they cover may have changed, and told whether by the user's doing.
+ */
+export class Cards {
+  readonly #cards: readonly HTMLElement[]
+  /** All that covers the map: the cards, and what floats but does not move. */
+  readonly #covers: readonly HTMLElement[]
+  readonly #narrow = window.matchMedia(NARROW)
+  readonly #changed: (byUser: boolean) => void
+
+  constructor(root: ParentNode, changed: (byUser: boolean) => void) {
+    this.#cards = [...root.querySelectorAll<HTMLElement>('[data-card]')]
+    this.#covers = [...root.querySelectorAll<HTMLElement>('[data-card], [data-cover]')]
+    this.#changed = changed
+    for (const card of this.#cards) this.#bind(card)
+    const observer = new ResizeObserver(() => changed(false))
+    for (const cover of this.#covers) observer.observe(cover)
+    this.#narrow.addEventListener('change', () => this.#rearrange())
+    this.#rearrange()
+  }
+
+  /** What is covered of the window, in CSS pixels. */
+  rects(): Rect[] {
+    return this.#covers
+      .map((cover) => cover.getBoundingClientRect())
+      .filter(({ width, height }) => width > 0 && height > 0)
+      .map(({ left, top, width, height }) => ({ left, top, width, height }))
+  }
+
+  /** Brings cards that were moved back into a window that has become smaller. */
+  keepOnScreen(): void {
+    for (const card of this.#cards) if (card.dataset.moved) this.#moveBy(card, 0, 0)
+  }
+
+  #bind(card: HTMLElement): void {
+    const handle = card.querySelector<HTMLElement>('[data-handle]')
+    const grip = card.querySelector<HTMLElement>('[data-header]') ?? handle
+    const fold = card.querySelector<HTMLElement>('[data-fold]')
+    fold?.addEventListener('click', () => {
+      const isOpen = fold.getAttribute('aria-expanded') === 'true'
+      this.#fold(card, isOpen)
+      if (!isOpen && this.#narrow.matches) this.#foldOthers(card)
+    })
+    handle?.addEventListener('keydown', (event) => this.#handleKey(event, card))
+    if (grip) this.#dragBy(grip, card)
+  }
+
+  #handleKey(event: KeyboardEvent, card: HTMLElement): void {
+    if (this.#narrow.matches) return
+    const arrow = ARROWS[event.key]
+    if (event.key === 'Home') this.#putBack(card)
+    else if (arrow) {
+      const step = event.shiftKey ? LARGE_KEY_STEP : KEY_STEP
+      this.#moveBy(card, arrow[0] * step, arrow[1] * step)
+    } else return
+    event.preventDefault()
+    this.#changed(true)
+  }
+
+  #dragBy(grip: HTMLElement, card: HTMLElement): void {
+    let last: { x: number; y: number } | null = null
+    grip.addEventListener('pointerdown', (event) => {
+      const control = event.target instanceof Element && event.target.closest('[data-fold]')
+      if (control || event.button !== 0 || this.#narrow.matches) return
+      last = { x: event.clientX, y: event.clientY }
+      grip.setPointerCapture(event.pointerId)
+    })
+    grip.addEventListener('pointermove', (event) => {
+      if (!last) return
+      this.#moveBy(card, event.clientX - last.x, event.clientY - last.y)
+      last = { x: event.clientX, y: event.clientY }
+    })
+    const end = () => {
+      if (last) this.#changed(true)
+      last = null
+    }
+    grip.addEventListener('pointerup', end)
+    grip.addEventListener('pointercancel', end)
+    grip.addEventListener('dblclick', (event) => {
+      if (event.target instanceof Element && event.target.closest('[data-fold]')) return
+      this.#putBack(card)
+      this.#changed(true)
+    })
+  }
+
+  #moveBy(card: HTMLElement, dx: number, dy: number): void {
+    if (dx === 0 && dy === 0 && !card.dataset.moved) return
+    const { left, top, width, height } = card.getBoundingClientRect()
+    const within = (value: number, size: number, room: number) =>
+      Math.max(Math.min(0, room - size), Math.min(value, Math.max(0, room - size)))
+    if (!card.dataset.moved) card.style.width = `${width}px`
+    card.dataset.moved = 'true'
+    card.style.left = `${within(left + dx, width, window.innerWidth)}px`
+    card.style.top = `${within(top + dy, Math.max(KEPT_ON_SCREEN, height), window.innerHeight)}px`
+  }
+
+  #putBack(card: HTMLElement): void {
+    delete card.dataset.moved
+    for (const property of ['left', 'top', 'width']) card.style.removeProperty(property)
+  }
+
+  #fold(card: HTMLElement, folded: boolean): void {
+    const button = card.querySelector('[data-fold]')
+    card.classList.toggle('folded', folded)
+    button?.setAttribute('aria-expanded', String(!folded))
+    this.#changed(true)
+  }
+
+  #foldOthers(open: HTMLElement): void {
+    for (const card of this.#cards) {
+      if (card !== open && card.classList.contains('panel')) this.#fold(card, true)
+    }
+  }
+
+  /** A narrow window begins with folded cards, so that the map can be seen. */
+  #rearrange(): void {
+    for (const card of this.#cards) {
+      this.#putBack(card)
+      if (card.classList.contains('panel')) this.#fold(card, this.#narrow.matches)
+    }
+  }
+}

@@ -1,0 +1,41 @@
+import { cellName } from '../grid/grid'
+import { isSettled, type State, visiblePlan } from './state'
+
+/**
+ * What the map's element says of itself, so that cells can be found on the screen and the state be
+ * known without looking at pixels.
+ */
+export function mapAttributes(state: State, isPlaying: boolean): Record<string, string> {
+  const { view, setup, run, cursor, cursorShown } = state
+  const { grid, start, goal } = setup.problem
+  const name = (cell: number) => `${cell % grid.width},${Math.floor(cell / grid.width)}`
+  return {
+    left: String(view.left),
+    top: String(view.top),
+    scale: String(view.scale),
+    width: String(grid.width),
+    height: String(grid.height),
+    start: name(start),
+    goal: name(goal),
+    cursor: cursorShown ? name(cursor) : '',
+    planner: setup.plannerId,
+    status: statusOf(state),
+    cells: isSettled(state) && state.shown ? String(state.shown.outcome.path.length) : '',
+    playing: String(isPlaying),
+    run: run.kind,
+  }
+}
+
+/** The outcome of the setup on screen; before it is there and without one, why it is not. */
+function statusOf(state: State): string {
+  if (state.run.kind === 'cancelled' || state.run.kind === 'failed') return state.run.kind
+  if (!isSettled(state) || !state.shown) return 'planning'
+  return visiblePlan(state) ? state.shown.outcome.status : 'hidden'
+}
+
+/** "Map of 49 × 23 cells, start at (3, 5), goal at (44, 5)". */
+export function mapLabel({ setup }: State): string {
+  const { grid, start, goal } = setup.problem
+  const [from, to] = [cellName(grid.width, start), cellName(grid.width, goal)]
+  return `Map of ${grid.width} × ${grid.height} cells, start at ${from}, goal at ${to}`
+}

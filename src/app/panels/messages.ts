@@ -1,0 +1,47 @@
+import { byId, create } from '../element'
+import { icon } from '../icons'
+import type { Message, State } from '../state'
+import type { Store } from '../store'
+import { dismiss } from '../transitions'
+
+/**
+ * Binds the messages at the edge of the screen: errors stay until they are closed, notes until
+ * their time, which is that of an animation, is over.
+ */
+export function messages(store: Store<State>): (state: State) => void {
+  const list = byId('messages', HTMLDivElement)
+  const boxes = new Map<number, HTMLElement>()
+
+  const show = (message: Message): HTMLElement => {
+    const { id, kind, text } = message
+    const close = create('button', {
+      type: 'button',
+      class: 'icon-button',
+      'aria-label': 'Close this message',
+    })
+    close.append(icon('close'))
+    close.addEventListener('click', () => store.update((state) => dismiss(state, id)))
+    const box = create(
+      'div',
+      { class: `toast ${kind}`, role: kind === 'error' ? 'alert' : 'status' },
+      create('span', {}, text),
+      close,
+    )
+    box.addEventListener('animationend', ({ animationName }) => {
+      if (animationName === 'message-time') store.update((state) => dismiss(state, id))
+    })
+    list.append(box)
+    return box
+  }
+
+  return (state) => {
+    for (const [id, box] of boxes) {
+      if (state.messages.some((message) => message.id === id)) continue
+      box.remove()
+      boxes.delete(id)
+    }
+    for (const message of state.messages) {
+      if (!boxes.has(message.id)) boxes.set(message.id, show(message))
+    }
+  }
+}

@@ -1,0 +1,127 @@
+import { planners } from '../../algorithms/planners'
+import type { DiagonalRule } from '../../grid/steps'
+import { byId, create, setText } from '../element'
+import { plannerOf, type Setup, withDiagonal, withSettings } from '../setup'
+import type { State } from '../state'
+import type { Store } from '../store'
+import { change, commit, edit, prefer } from '../transitions'
+import { numberField, switchField } from './fields'
+import { type ParamsForm, paramsForm } from './params-form'
+
+const FAMILIES = [
+  { family: 'offline', title: 'Sees the whole map' },
+  { family: 'online', title: 'Senses as it goes' },
+] as const
+
+const RULES: Readonly<Record<DiagonalRule, { readonly title: string; readonly help: string }>> = {
+  'if-at-most-one-obstacle': {
+    title: 'If at most one obstacle',
+    help: 'Legal unless both cells beside the step are obstacles (PathFinding.js: IfAtMostOneObstacle).',
+  },
+  'only-when-no-obstacles': {
+    title: 'Only when no obstacles',
+    help: 'Legal only if both cells beside the step are free (PathFinding.js: OnlyWhenNoObstacles).',
+  },
+}
+
+/** Binds the planner card; returns what shows a state in it. */
+export function plannerCard(store: Store<State>, openAbout: () => void): (state: State) => void {
+  const title = byId('planner-title', HTMLSpanElement)
+  const select = byId('planner-select', HTMLSelectElement)
+  const summary = byId('planner-summary', HTMLParagraphElement)
+  const params = byId('planner-params', HTMLDivElement)
+  const diagonal = byId('diagonal', HTMLSelectElement)
+  const diagonalHelp = byId('diagonal-help', HTMLParagraphElement)
+  const reset = byId('planner-reset', HTMLButtonElement)
+  let form: ParamsForm | null = null
+
+  for (const { family, title: name } of FAMILIES) {
+    const group = create('optgroup', { label: name })
+    for (const planner of planners.filter((candidate) => candidate.family === family)) {
+      group.append(create('option', { value: planner.id }, planner.title))
+    }
+    select.append(group)
+  }
+  for (const [rule, { title: name }] of Object.entries(RULES)) {
+    diagonal.append(create('option', { value: rule }, name))
+  }
+
+  const seed = numberField(
+    {
+      id: 'seed',
+      kind: 'integer',
+      label: 'Seed',
+      unit: '',
+      min: 0,
+      max: 2 ** 31 - 1,
+      help: 'Decides what is drawn by lot: the same seed gives the same plan.',
+    },
+    {
+      edited: (value) =>
+        store.update((state) =>
+          value === undefined ? state : edit(state, { ...state.setup, seed: value }),
+        ),
+      done: () => store.update((state) => commit(state, `Seed: ${state.setup.seed}.`)),
+    },
+  )
+  byId('seed-field', HTMLDivElement).append(seed.element)
+
+  const potential = switchField(
+    {
+      id: 'show-potential',
+      label: 'Show potentials',
+      help: 'As colours, and as numbers where cells are large enough.',
+    },
+    (on) => store.update((state) => prefer(state, { showPotential: on })),
+  )
+  byId('potential-field', HTMLDivElement).append(potential.element)
+
+  select.addEventListener('change', () => {
+    const plannerId = select.value
+    store.update((state) => {
+      const setup = { ...state.setup, plannerId }
+      return change(state, setup, `Planner: ${plannerOf(setup).title}.`)
+    })
+  })
+  diagonal.addEventListener('change', () => {
+    const rule = Object.keys(RULES).find((name) => name === diagonal.value) as DiagonalRule
+    const text = `Diagonal steps: ${RULES[rule].title}.`
+    store.update((state) => change(state, withDiagonal(state.setup, rule), text))
+  })
+  reset.addEventListener('click', () => {
+    form = null
+    store.update((state) =>
+      change(state, resetSetup(state.setup), 'The parameters have their defaults again.'),
+    )
+    show(store.state)
+  })
+  byId('planner-about', HTMLButtonElement).addEventListener('click', openAbout)
+
+  function show(state: State): void {
+    const { setup, shown, preferences } = state
+    const planner = plannerOf(setup)
+    if (form?.planner !== planner) {
+      form = paramsForm(store)
+      params.replaceChildren(...form.elements)
+      seed.element.hidden = !planner.usesSeed
+      reset.hidden = planner.params.length === 0 && !planner.usesSeed
+    }
+    form.show(setup)
+    seed.show(setup.seed)
+    setText(title, planner.title)
+    setText(summary, planner.summary)
+    select.value = planner.id
+    diagonal.value = setup.problem.diagonal
+    setText(diagonalHelp, RULES[setup.problem.diagonal].help)
+    const hasPotential = shown?.setup.plannerId === setup.plannerId && shown.last.potential !== null
+    potential.element.hidden = !hasPotential
+    potential.show(preferences.showPotential)
+  }
+  return show
+}
+
+/** The seed belongs to the settings of planners that use it. */
+function resetSetup(setup: Setup): Setup {
+  const reset = withSettings(setup, {})
+  return plannerOf(setup).usesSeed ? { ...reset, seed: 1 } : reset
+}

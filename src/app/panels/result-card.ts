@@ -1,0 +1,99 @@
+import { byId, create, setText } from '../element'
+import { type IconName, setIcon } from '../icons'
+import { plannerOf } from '../setup'
+import type { State } from '../state'
+import { outcomeInWords, outcomeNumbers, type Row, toneOf } from '../words'
+
+interface Report {
+  readonly tone: IconName
+  readonly words: string
+  readonly detail: string
+  readonly rows: readonly Row[]
+}
+
+const NO_ROWS: readonly Row[] = []
+
+/** What the result card says of a state. */
+export function reportOf({ run, shown, pathHidden, setup }: State): Report {
+  const title = plannerOf(setup).title
+  if (run.kind === 'running' && (run.slow || !shown)) {
+    const detail = `${title} is working.`
+    return { tone: 'busy', words: 'Planning…', detail, rows: NO_ROWS }
+  }
+  if (run.kind === 'cancelled') {
+    const detail = `${title} was stopped before it came to an answer.`
+    return { tone: 'bad', words: 'Cancelled', detail, rows: NO_ROWS }
+  }
+  if (run.kind === 'failed') {
+    return { tone: 'bad', words: 'No plan', detail: run.message, rows: NO_ROWS }
+  }
+  if (!shown) return { tone: 'busy', words: 'No plan yet', detail: '', rows: NO_ROWS }
+  if (pathHidden) {
+    const detail = 'The path is hidden until the next change.'
+    return { tone: 'busy', words: 'Path cleared', detail, rows: NO_ROWS }
+  }
+  const { outcome, milliseconds } = shown
+  const planner = plannerOf(shown.setup)
+  return {
+    tone: toneOf(outcome.status),
+    words: outcomeInWords(outcome, shown.tape.width),
+    detail: detailOf(outcome.reason),
+    rows: outcomeNumbers(outcome, milliseconds, planner.family),
+  }
+}
+
+const detailOf = (reason: string): string =>
+  `${reason.charAt(0).toUpperCase()}${reason.slice(1).replace(/\.$/, '')}.`
+
+export interface ResultActions {
+  cancel(): void
+  planAgain(): void
+}
+
+/** Binds the result card; returns what shows a state in it. */
+export function resultCard(actions: ResultActions): (state: State) => void {
+  const card = byId('result', HTMLElement)
+  const words = byId('result-words', HTMLHeadingElement)
+  const detail = byId('result-detail', HTMLParagraphElement)
+  const progress = byId('result-progress', HTMLDivElement)
+  const again = byId('result-again', HTMLButtonElement)
+  const cancel = byId('result-cancel', HTMLButtonElement)
+  const table = byId('result-numbers', HTMLTableElement)
+  const sign = card.querySelector<SVGSVGElement>('#result-icon')
+  const bar = progress.querySelector<HTMLElement>('[role=progressbar]')
+  const determinate = progress.querySelector<HTMLElement>('.determinate')
+  cancel.addEventListener('click', actions.cancel)
+  again.addEventListener('click', actions.planAgain)
+
+  return (state) => {
+    const report = reportOf(state)
+    const { run } = state
+    const isSlow = run.kind === 'running' && run.slow
+    card.dataset.tone = report.tone
+    if (sign) setIcon(sign, report.tone)
+    setText(words, report.words)
+    setText(detail, report.detail)
+    progress.hidden = !isSlow
+    if (run.kind === 'running') {
+      const percent = Math.round(run.done * 100)
+      bar?.setAttribute('aria-valuenow', String(percent))
+      if (determinate) determinate.style.width = `${percent}%`
+    }
+    again.hidden = run.kind !== 'cancelled' && run.kind !== 'failed'
+    showRows(table, report.rows)
+  }
+}
+
+function showRows(table: HTMLTableElement, rows: readonly Row[]): void {
+  table.hidden = rows.length === 0
+  const body = table.tBodies[0]
+  rows.forEach(({ label, value }, i) => {
+    const row = body.rows[i] ?? body.appendChild(newRow())
+    setText(row.cells[0], label)
+    setText(row.cells[1], value)
+  })
+  while (body.rows.length > rows.length) body.deleteRow(-1)
+}
+
+const newRow = (): HTMLTableRowElement =>
+  create('tr', {}, create('th', { scope: 'row' }), create('td'))

@@ -1,0 +1,138 @@
+import type { Setup } from './setup'
+import type { WorkerAnswer, WorkerQuestion } from './worker-protocol'
+import { questionOf } from './worker-protocol'
+
+/** What the solver needs of a `Worker`. */
+export interface WorkerLike {
+  onmessage: ((event: { readonly data: WorkerAnswer }) => void) | null
+  onerror: ((event: { readonly message?: string; preventDefault?(): void }) => void) | null
+  postMessage(question: WorkerQuestion): void
+  terminate(): void
+}
+
+export interface PlanRequest {
+  readonly setup: Setup
+  /** Whether it comes from an edit that is still going on. */
+  readonly instant: boolean
+}
+
+export interface SolverEvents {
+  started(): void
+  progressed(done: number): void
+  arrived(request: PlanRequest, answer: Extract<WorkerAnswer, { kind: 'planned' }>): void
+  failed(request: PlanRequest, message: string): void
+}
+
+/** How long a plan that nobody wants any more may go on before its worker is given up. */
+export const PATIENCE_MS = 100
+
+/**
+ * Keeps one worker and asks it one thing at a time. While it works, only the latest request waits.
+ * A plan that has been overtaken is still handed over if it comes soon: it is newer than what is on
+ * screen, and so the path follows the pointer; after `PATIENCE_MS` its worker is replaced.
+ */
+export class Solver {
+  readonly #makeWorker: () => WorkerLike
+  readonly #now: () => number
+  readonly #events: SolverEvents
+  #worker: WorkerLike | null
+  #running: { readonly id: number; readonly request: PlanRequest; readonly since: number } | null =
+    null
+  #waiting: PlanRequest | null = null
+  #questions = 0
+
+  constructor(makeWorker: () => WorkerLike, now: () => number, events: SolverEvents) {
+    this.#makeWorker = makeWorker
+    this.#now = now
+    this.#events = events
+    this.#worker = this.#newWorker()
+  }
+
+  /** How long the present plan has been worked on; 0 if there is none. */
+  get elapsed(): number {
+    return this.#running ? this.#now() - this.#running.since : 0
+  }
+
+  ask(request: PlanRequest): void {
+    this.#waiting = request
+    if (this.#running) this.tick()
+    else this.#startWaiting()
+  }
+
+  /** To be called in every frame while a plan is worked on. */
+  tick(): void {
+    if (!this.#running || !this.#waiting || this.elapsed <= PATIENCE_MS) return
+    this.#replaceWorker()
+    this.#startWaiting()
+  }
+
+  /** Gives up all that is worked on or waits; nothing of it arrives. */
+  cancel(): void {
+    this.#waiting = null
+    if (this.#running) this.#replaceWorker()
+  }
+
+  dispose(): void {
+    this.#dropWorker()
+    this.#waiting = null
+  }
+
+  #newWorker(): WorkerLike {
+    const worker = this.#makeWorker()
+    worker.onmessage = ({ data }) => this.#answered(data)
+    worker.onerror = (event) => {
+      event.preventDefault?.()
+      this.#broke(event.message || 'the planning worker could not be started')
+    }
+    return worker
+  }
+
+  #dropWorker(): void {
+    if (this.#worker) {
+      this.#worker.onmessage = null
+      this.#worker.onerror = null
+      this.#worker.terminate()
+    }
+    this.#worker = null
+    this.#running = null
+  }
+
+  /** The new one is made at once, so that it is warm when it is asked. */
+  #replaceWorker(): void {
+    this.#dropWorker()
+    this.#worker = this.#newWorker()
+  }
+
+  #startWaiting(): void {
+    const request = this.#waiting
+    if (!request) return
+    this.#waiting = null
+    this.#questions++
+    this.#running = { id: this.#questions, request, since: this.#now() }
+    this.#events.started()
+    this.#worker ??= this.#newWorker()
+    this.#worker.postMessage(questionOf(this.#questions, request.setup))
+  }
+
+  #answered(answer: WorkerAnswer): void {
+    const running = this.#running
+    if (!running || answer.id !== running.id) return
+    if (answer.kind === 'progress') {
+      if (!this.#waiting) this.#events.progressed(answer.done)
+      return
+    }
+    this.#running = null
+    // The worker goes on before the page takes its time to show the answer.
+    this.#startWaiting()
+    if (answer.kind === 'planned') this.#events.arrived(running.request, answer)
+    else this.#events.failed(running.request, answer.message)
+  }
+
+  #broke(message: string): void {
+    const running = this.#running
+    // None that is warm: what broke this one may break the next one too, and so on for ever.
+    this.#dropWorker()
+    if (running) this.#events.failed(running.request, message)
+    this.#startWaiting()
+  }
+}

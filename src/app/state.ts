@@ -1,0 +1,99 @@
+import type { Outcome } from '../algorithms/plan'
+import type { Cell } from '../grid/grid'
+import type { Rect, ScreenSize, View } from '../render/view'
+import type { Frame } from '../trace/frame'
+import type { TapeColumns } from '../trace/tape'
+import { emptyHistory, type History } from './history'
+import type { Preferences } from './preferences'
+import type { Setup } from './setup'
+
+/** A plan as it came from the worker, with the setup that it answers. */
+export interface Shown {
+  readonly setup: Setup
+  readonly outcome: Outcome
+  readonly tape: TapeColumns
+  /** The picture after the last event, folded in the worker. */
+  readonly last: Frame
+  /** How long `plan` took in the worker. */
+  readonly milliseconds: number
+  /** To be shown at once: it answers an edit during which the pointer was down. */
+  readonly instant: boolean
+}
+
+/** What the worker is doing for the setup on screen. */
+export type Run =
+  | { readonly kind: 'settled' }
+  /** `slow` once it lasts so long that the user should know; `done` from 0 to 1. */
+  | { readonly kind: 'running'; readonly slow: boolean; readonly done: number }
+  | { readonly kind: 'cancelled' }
+  | { readonly kind: 'failed'; readonly message: string }
+
+export interface Message {
+  readonly id: number
+  readonly kind: 'error' | 'note'
+  readonly text: string
+}
+
+/** What the last action did, for those who do not see it. */
+export interface Said {
+  readonly text: string
+  /** Whether the outcome of the plan belongs to it. */
+  readonly withOutcome: boolean
+}
+
+/** All that the page shows, apart from where an animation has got to. */
+export interface State {
+  /** On screen: during a stroke it is ahead of `committed`, which undo and Escape go back to. */
+  readonly setup: Setup
+  readonly committed: Setup
+  readonly history: History
+  readonly shown: Shown | null
+  readonly run: Run
+  /** "Clear path": no plan is drawn until the next edit. */
+  readonly pathHidden: boolean
+  readonly view: View
+  /** Whether the view was fitted to the room that the cards leave, and not moved by hand since. */
+  readonly fitted: boolean
+  readonly screen: ScreenSize
+  /** What the cards cover of the screen. */
+  readonly covered: readonly Rect[]
+  /** The keyboard's cell, and whether it is on show. */
+  readonly cursor: Cell
+  readonly cursorShown: boolean
+  readonly preferences: Preferences
+  readonly messages: readonly Message[]
+  readonly said: Said
+}
+
+export function initialState(setup: Setup, preferences: Preferences): State {
+  return {
+    setup,
+    committed: setup,
+    history: emptyHistory,
+    shown: null,
+    run: { kind: 'settled' },
+    pathHidden: false,
+    view: { scale: 1, left: 0, top: 0 },
+    fitted: true,
+    screen: { width: 0, height: 0 },
+    covered: [],
+    cursor: setup.problem.start,
+    cursorShown: false,
+    preferences,
+    messages: [],
+    said: { text: '', withOutcome: false },
+  }
+}
+
+/** Whether the plan on screen answers the setup on screen. */
+export function isSettled({ run, shown, setup }: State): boolean {
+  return run.kind === 'settled' && shown?.setup === setup
+}
+
+/** The plan to be drawn: an older one too, as long as it lies on a map of this size. */
+export function visiblePlan({ shown, run, pathHidden, setup }: State): Shown | null {
+  if (!shown || pathHidden || run.kind === 'cancelled' || run.kind === 'failed') return null
+  if (run.kind === 'running' && run.slow) return null
+  const { grid } = setup.problem
+  return shown.tape.width === grid.width && shown.tape.height === grid.height ? shown : null
+}

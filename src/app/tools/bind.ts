@@ -1,0 +1,136 @@
+import type { Point } from '../../grid/grid'
+import { cellAt, zoomAt } from '../../render/view'
+import type { State } from '../state'
+import type { Store } from '../store'
+import { hideCursor, look, moveCursor } from '../transitions'
+import { Hand, type Press } from './hand'
+import { type KeyPress, mapKey, pageKey } from './keys'
+import { gripAt } from './stroke'
+
+const BUTTONS: Readonly<Record<number, Press['button']>> = { 0: 'main', 1: 'middle', 2: 'right' }
+
+const ZOOM_PER_PIXEL = 0.0015
+/** Two fingers on a touchpad report small distances, with Ctrl. */
+const ZOOM_PER_PINCHED_PIXEL = 0.01
+const PIXELS_PER_LINE = 24
+
+/**
+ * Binds pointers, wheel and keys to the map: all that listens to the map is here. Returns what
+ * unbinds it.
+ */
+export function bindInput(
+  host: HTMLElement,
+  store: Store<State>,
+  openHelp: () => void,
+): () => void {
+  const hand = new Hand(store)
+  const bound = new AbortController()
+  const { signal } = bound
+  host.tabIndex = 0
+
+  const on = <Type extends keyof HTMLElementEventMap>(
+    type: Type,
+    listener: (event: HTMLElementEventMap[Type]) => void,
+  ) => host.addEventListener(type, listener, { signal, passive: false })
+
+  on('pointerdown', (event) => {
+    const button = BUTTONS[event.button]
+    if (button === undefined) return
+    // Without this the middle button scrolls and a press selects text.
+    event.preventDefault()
+    host.focus({ preventScroll: true })
+    host.setPointerCapture(event.pointerId)
+    const isTouch = event.pointerType === 'touch'
+    hand.press({ id: event.pointerId, place: placeOf(event), button, isTouch })
+  })
+  on('pointermove', (event) => {
+    const events = event.getCoalescedEvents()
+    hand.move(event.pointerId, (events.length > 0 ? events : [event]).map(placeOf))
+    if (!hand.isBusy) host.dataset.grip = gripUnder(store.state, placeOf(event))
+  })
+  on('pointerup', (event) => hand.release(event.pointerId, true))
+  on('pointercancel', (event) => hand.release(event.pointerId, false))
+  on('lostpointercapture', (event) => hand.release(event.pointerId, true))
+  on('contextmenu', (event) => event.preventDefault())
+  on('wheel', (event) => {
+    event.preventDefault()
+    const perPixel = event.ctrlKey ? ZOOM_PER_PINCHED_PIXEL : ZOOM_PER_PIXEL
+    const unit = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? 1 : PIXELS_PER_LINE
+    const factor = Math.exp(-event.deltaY * unit * perPixel)
+    const { x, y } = placeOf(event)
+    store.update((state) => look(state, zoomAt(state.view, factor, x, y, state.setup.problem.grid)))
+  })
+
+  on('keydown', (event) => {
+    if (event.key === 'Escape' && hand.cancel()) return
+    if (event.key === ' ') return event.preventDefault()
+    const transition = mapKey(keyPressOf(event))
+    if (!transition || (event.key === 'Enter' && event.repeat)) return
+    event.preventDefault()
+    store.update(transition)
+  })
+  on('keyup', (event) => {
+    if (event.key !== ' ') return
+    const transition = mapKey(keyPressOf(event))
+    if (transition && !hand.spaceUsed) store.update(transition)
+  })
+  on('focus', () => {
+    // With a pointer the cell is under it; only the keyboard needs a cursor.
+    if (host.matches(':focus-visible') && !hand.isBusy) {
+      store.update((state) => moveCursor(state, state.cursor))
+    }
+  })
+  on('blur', () => store.update((state) => hideCursor(state)))
+
+  window.addEventListener(
+    'keydown',
+    (event) => {
+      if (event.key === ' ' && !event.repeat && !isControl(event.target)) {
+        hand.spaceHeld = true
+        hand.spaceUsed = false
+        host.dataset.space = 'true'
+      }
+      if (isTextField(event.target) || document.querySelector('dialog[open]')) return
+      if (event.key === '?') openHelp()
+      const transition = pageKey(keyPressOf(event))
+      if (!transition) return
+      event.preventDefault()
+      store.update(transition)
+    },
+    { signal },
+  )
+  const letGoOfSpace = () => {
+    hand.spaceHeld = false
+    delete host.dataset.space
+  }
+  window.addEventListener(
+    'keyup',
+    (event) => {
+      if (event.key === ' ') letGoOfSpace()
+    },
+    { signal },
+  )
+  window.addEventListener('blur', letGoOfSpace, { signal })
+
+  return () => bound.abort()
+}
+
+const placeOf = ({ clientX, clientY }: MouseEvent): Point => ({ x: clientX, y: clientY })
+
+const keyPressOf = ({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): KeyPress => ({
+  key,
+  command: ctrlKey || metaKey,
+  shift: shiftKey,
+})
+
+function gripUnder({ view, setup }: State, { x, y }: Point): string {
+  return gripAt(setup.problem, cellAt(view, setup.problem.grid, x, y))
+}
+
+const TEXT_FIELDS = 'input:not([type=checkbox], [type=radio]), textarea'
+
+const isTextField = (target: EventTarget | null): boolean =>
+  target instanceof Element && target.matches(TEXT_FIELDS)
+
+const isControl = (target: EventTarget | null): boolean =>
+  target instanceof Element && target.matches('button, input, select, textarea, a')

@@ -1,0 +1,61 @@
+import type { Point } from '../../grid/grid'
+import { panBy, zoomAt } from '../../render/view'
+import type { State } from '../state'
+import type { Store } from '../store'
+import { look } from '../transitions'
+import type { Tool } from './tool'
+
+/** Drags the map about. */
+export function panTool(store: Store<State>, from: Point): Tool {
+  const before = store.state.view
+  let here = from
+  return {
+    move(places) {
+      const there = places[places.length - 1]
+      store.update((state) => {
+        const { grid } = state.setup.problem
+        return look(
+          state,
+          panBy(state.view, there.x - here.x, there.y - here.y, grid, state.screen),
+        )
+      })
+      here = there
+    },
+    end() {},
+    cancel: () => store.update((state) => look(state, before)),
+  }
+}
+
+/** Two fingers: the map follows both, so that it can be moved and zoomed at once. */
+export class Pinch {
+  readonly #store: Store<State>
+  #middle: Point
+  #distance: number
+
+  constructor(store: Store<State>, a: Point, b: Point) {
+    this.#store = store
+    this.#middle = middleOf(a, b)
+    this.#distance = distanceOf(a, b)
+  }
+
+  move(a: Point, b: Point): void {
+    const middle = middleOf(a, b)
+    const distance = distanceOf(a, b)
+    const factor = distance / this.#distance
+    const [dx, dy] = [middle.x - this.#middle.x, middle.y - this.#middle.y]
+    this.#middle = middle
+    this.#distance = distance
+    this.#store.update((state) => {
+      const { grid } = state.setup.problem
+      const zoomed = zoomAt(state.view, factor, middle.x - dx, middle.y - dy, grid)
+      return look(state, panBy(zoomed, dx, dy, grid, state.screen))
+    })
+  }
+}
+
+const middleOf = (a: Point, b: Point): Point => ({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 })
+
+const LEAST_DISTANCE = 8
+
+const distanceOf = (a: Point, b: Point): number =>
+  Math.max(LEAST_DISTANCE, Math.hypot(a.x - b.x, a.y - b.y))

@@ -1,0 +1,158 @@
+import type { Cell } from '../grid/grid'
+import { fitView, keepOnScreen, type Rect, type ScreenSize, type View } from '../render/view'
+import * as history from './history'
+import { roomForMap } from './layout/room'
+import type { Preferences } from './preferences'
+import type { Setup } from './setup'
+import type { Message, Shown, State } from './state'
+
+// Transitions are pure: each makes the next state from the last one.
+
+/** Shows an edit that may still go on, as during a stroke. */
+export function edit(state: State, setup: Setup): State {
+  if (setup === state.setup) return state
+  const { width, height } = state.setup.problem.grid
+  const { grid, start } = setup.problem
+  const edited = { ...state, setup, pathHidden: false }
+  if (grid.width === width && grid.height === height) return edited
+  return fitToRoom({ ...edited, cursor: start, cursorShown: false })
+}
+
+/** Makes all edits since the last commit one step to undo. */
+export function commit(state: State, text: string): State {
+  if (state.setup === state.committed) return state
+  return {
+    ...state,
+    history: history.remember(state.history, state.committed),
+    committed: state.setup,
+    said: { text, withOutcome: true },
+  }
+}
+
+/** Takes back all edits since the last commit. */
+export const cancel = (state: State): State => edit(state, state.committed)
+
+/** An edit that is a step of its own. */
+export function change(state: State, setup: Setup, text: string): State {
+  return commit(edit(commit(state, ''), setup), text)
+}
+
+/** A change to another map, seen as a whole. */
+export const changeMap = (state: State, setup: Setup, text: string): State =>
+  fitToRoom(change(state, setup, text))
+
+export const undo = (state: State): State =>
+  travel(state, history.undo, { done: 'Undone.', nothing: 'Nothing to undo.' })
+
+export const redo = (state: State): State =>
+  travel(state, history.redo, { done: 'Redone.', nothing: 'Nothing to redo.' })
+
+interface TravelWords {
+  readonly done: string
+  readonly nothing: string
+}
+
+function travel(state: State, to: typeof history.undo, words: TravelWords): State {
+  // During a stroke there is nothing else to undo than the stroke.
+  if (state.setup !== state.committed) return cancel(state)
+  const arrived = to(state.history, state.setup)
+  if (!arrived) return say(state, words.nothing)
+  return {
+    ...edit(state, arrived.setup),
+    committed: arrived.setup,
+    history: arrived.history,
+    said: { text: words.done, withOutcome: true },
+  }
+}
+
+export const planStarted = (state: State): State => ({
+  ...state,
+  run: { kind: 'running', slow: false, done: 0 },
+})
+
+export function planProgressed(state: State, done: number): State {
+  return state.run.kind === 'running' ? { ...state, run: { ...state.run, done } } : state
+}
+
+export function planIsSlow(state: State): State {
+  const { run } = state
+  return run.kind === 'running' && !run.slow ? { ...state, run: { ...run, slow: true } } : state
+}
+
+export function planArrived(state: State, shown: Shown): State {
+  const run = shown.setup === state.setup ? { kind: 'settled' as const } : state.run
+  return { ...state, shown, run }
+}
+
+/** No plan can be had for this setup; that of an older one is of no interest any more. */
+export function planFailed(state: State, setup: Setup, message: string): State {
+  return setup === state.setup ? { ...state, run: { kind: 'failed', message } } : state
+}
+
+export const planCancelled = (state: State): State => ({ ...state, run: { kind: 'cancelled' } })
+
+export const hidePath = (state: State): State =>
+  say({ ...state, pathHidden: true }, 'The path is hidden until the next change.')
+
+export const look = (state: State, view: View): State => ({ ...state, view, fitted: false })
+
+/** The whole map in the room that the cards leave. */
+export function fitToRoom(state: State): State {
+  const { screen, covered, setup } = state
+  if (screen.width === 0) return { ...state, fitted: true }
+  const { grid } = setup.problem
+  return { ...state, view: fitView(grid, roomForMap(screen, covered, grid)), fitted: true }
+}
+
+/**
+ * The window or the cards have another size or place. A fitted view is fitted anew only if that was
+ * the user's doing: a map that moves because a text beside it grew is a nuisance.
+ */
+export function layOut(
+  state: State,
+  screen: ScreenSize,
+  covered: readonly Rect[],
+  byUser: boolean,
+): State {
+  const laidOut = { ...state, screen, covered }
+  if (state.fitted) return byUser ? fitToRoom(laidOut) : laidOut
+  return { ...laidOut, view: keepOnScreen(state.view, state.setup.problem.grid, screen) }
+}
+
+export const moveCursor = (state: State, cursor: Cell): State => ({
+  ...state,
+  cursor,
+  cursorShown: true,
+})
+
+/** The cursor goes out of sight; it comes back at `cell`. */
+export const hideCursor = (state: State, cursor = state.cursor): State => ({
+  ...state,
+  cursor,
+  cursorShown: false,
+})
+
+export const prefer = (state: State, some: Partial<Preferences>): State => ({
+  ...state,
+  preferences: { ...state.preferences, ...some },
+})
+
+/** Said to those who listen; it does not stand anywhere. */
+export const say = (state: State, text: string): State => ({
+  ...state,
+  said: { text, withOutcome: false },
+})
+
+const MOST_MESSAGES = 3
+
+/** A message on screen; the same one again takes the place of the first. */
+export function tell(state: State, kind: Message['kind'], text: string): State {
+  const id = Math.max(0, ...state.messages.map((message) => message.id)) + 1
+  const others = state.messages.filter((message) => message.text !== text)
+  return { ...state, messages: [...others, { id, kind, text }].slice(-MOST_MESSAGES) }
+}
+
+export const dismiss = (state: State, id: number): State => ({
+  ...state,
+  messages: state.messages.filter((message) => message.id !== id),
+})
