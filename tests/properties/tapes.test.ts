@@ -12,8 +12,8 @@ const SECOND_IS_A_CELL: ReadonlySet<number> = new Set([
   EVENT.step,
   EVENT.hit,
 ])
-/** Obstacles may lie outside the map, where a cell has no number. */
-const MAY_BE_OUTSIDE: ReadonlySet<number> = new Set([EVENT.feel, EVENT.value])
+/** Obstacles may lie outside the map, where a cell has no number; Tangent Bug heads for some. */
+const MAY_BE_OUTSIDE: ReadonlySet<number> = new Set([EVENT.feel, EVENT.target])
 
 function mustBeWritten(name: string, world: World, tape: Tape, lines: number): void {
   const cells = world.width * world.height

@@ -17,7 +17,7 @@ function anyValue(param: Param, dice: Dice): number | string | boolean {
       return dice.pick(param.choices)
     default: {
       // The first few: they are the ones that are used, and large ones take long.
-      const most = Math.min(param.max, param.min + dice.pick([5, 40]))
+      const most = Math.min(param.max, param.min + dice.pick([3, 3, 3, 12]))
       return param.kind === 'integer'
         ? dice.between(param.min, most)
         : param.min + (most - param.min) * (dice.below(1000) / 1000)

@@ -77,7 +77,14 @@ export function flood(world: World): Set<string> {
   return reached
 }
 
-export const isReachable = (world: World): boolean => flood(world).has(String(world.goal))
+const reachable = new WeakMap<World, boolean>()
+
+/** Whether there is any way to the goal. Remembered, because it is asked for every run. */
+export function isReachable(world: World): boolean {
+  const known = reachable.get(world) ?? flood(world).has(String(world.goal))
+  reachable.set(world, known)
+  return known
+}
 
 /** "The distance": the number of steps of the simplest path. */
 export function steps(a: XY, b: XY): number {
