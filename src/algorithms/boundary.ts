@@ -27,8 +27,8 @@ export const isIn = (directions: Directions, d: Direction): boolean => ((directi
  * -1 if none of them is an obstacle.
  */
 export function obstacleInTheWay(obstacles: Directions, refused: Direction): Direction {
-  const candidates = [refused, (refused + 7) & 7, (refused + 1) & 7]
-  return candidates.find((d) => isIn(obstacles, d)) ?? -1
+  const beside = isDiagonal(refused) ? [refused - 1, (refused + 1) & 7] : []
+  return [refused, ...beside].find((d) => isIn(obstacles, d)) ?? -1
 }
 
 /**
