@@ -1,4 +1,5 @@
 import { InputError } from './errors'
+import { excerpt } from './excerpt'
 import type { Cell, Grid } from './grid'
 import { checkSize, type Problem } from './problem'
 import type { DiagonalRule } from './steps'
@@ -33,7 +34,7 @@ export function problemFromText(
         ends.set(sign, cell)
       } else if (sign !== '.') {
         throw new InputError(
-          `"${sign}" at (${x}, ${y}) is no cell: use "#" obstacle, "." free, "S" start, "G" goal.`,
+          `${excerpt(row.slice(x), 1)} at (${x}, ${y}) is no cell: use "#" obstacle, "." free, "S" start, "G" goal.`,
         )
       }
     }

@@ -89,7 +89,8 @@ export class Tape implements TapeColumns {
       to.set(from)
       return to
     }
-    const size = this.kinds.length * 2
+    // The columns of a released tape have no room at all, maybe not even a first event.
+    const size = Math.max(2 * this.kinds.length, 1024)
     this.kinds = double(this.kinds, new Uint8Array(size))
     this.lines = double(this.lines, new Uint8Array(size))
     this.cells = double(this.cells, new Int32Array(size))

@@ -1,5 +1,5 @@
 import { InputError } from '../errors'
-import { excerpt } from './excerpt'
+import { excerpt } from '../excerpt'
 
 /** No map nests deeper, and a parser handed a million brackets runs out of memory. */
 const MAX_DEPTH = 100

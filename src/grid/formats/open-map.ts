@@ -1,7 +1,7 @@
 import { InputError } from '../errors'
+import { describe, excerpt } from '../excerpt'
 import { MAX_SIDE } from '../grid'
 import { problemFromText } from '../text-map'
-import { describe, excerpt } from './excerpt'
 import { parseJson } from './json'
 import type { OpenedMap } from './opened-map'
 import { readOriginal } from './original-file'

@@ -1,9 +1,9 @@
 import * as v from 'valibot'
 import { defaultEnds } from '../ends'
 import { InputError } from '../errors'
+import { describe } from '../excerpt'
 import { cellName, type Grid } from '../grid'
 import { checkSize } from '../problem'
-import { describe } from './excerpt'
 import type { OpenedMap } from './opened-map'
 import { list, readShape, whole } from './shape'
 

@@ -1,10 +1,10 @@
 import * as v from 'valibot'
 import { InputError } from '../errors'
+import { describe, excerpt } from '../excerpt'
 import type { Cell, Grid } from '../grid'
 import { checkProblem, checkSize, type Problem } from '../problem'
 import { DIAGONAL_RULES } from '../steps'
 import { gridToRows } from '../text-map'
-import { describe, excerpt } from './excerpt'
 import type { OpenedMap } from './opened-map'
 import { list, readShape, whole } from './shape'
 

@@ -1,6 +1,6 @@
 import * as v from 'valibot'
 import { InputError } from '../errors'
-import { describe } from './excerpt'
+import { describe } from '../excerpt'
 
 /** A whole number, which JSON does not tell from others. */
 export const whole = v.pipe(v.number(), v.integer())

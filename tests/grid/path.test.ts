@@ -1,0 +1,79 @@
+import fc from 'fast-check'
+import { describe, expect, test } from 'vitest'
+import { gridToRows } from '../../src/grid/text-map'
+import { type DiagonalRule, firstIllegalStep, measurePath, problemFromText } from '../../src/index'
+import { isLegal, type World, type XY } from '../reference/world'
+import { problems } from './arbitraries'
+
+test('a path is legal as far as each of its steps is', () => {
+  const wanderings = fc.array(fc.nat(), { maxLength: 12 })
+  fc.assert(
+    fc.property(problems, wanderings, (problem, rolls) => {
+      const { grid, start, goal, diagonal } = problem
+      const { width, height } = grid
+      const point = (cell: number): XY => [cell % width, Math.floor(cell / width)]
+      const rows = gridToRows(grid)
+      const world: World = {
+        width,
+        height,
+        rows,
+        start: point(start),
+        goal: point(goal),
+        rule: diagonal,
+      }
+      const path = [start]
+      for (const roll of rolls) {
+        const [x, y] = point(path[path.length - 1])
+        const nx = Math.min(width - 1, Math.max(0, x - 1 + (roll % 3)))
+        const ny = Math.min(height - 1, Math.max(0, y - 1 + (Math.floor(roll / 3) % 3)))
+        path.push(ny * width + nx)
+      }
+      const found = path.findIndex(
+        (cell, i) => i > 0 && !isLegal(world, point(path[i - 1]), point(cell)),
+      )
+      expect(firstIllegalStep(problem, path)).toBe(found)
+    }),
+    { numRuns: 500 },
+  )
+})
+
+describe('firstIllegalStep', () => {
+  const at = (rule: DiagonalRule) => problemFromText('S.#.\n.#.G\n', rule)
+
+  test('a jump is no step, nor is one over the edge of the map to the next row', () => {
+    expect(firstIllegalStep(at('if-at-most-one-obstacle'), [0, 1, 3])).toBe(2)
+    expect(firstIllegalStep(at('if-at-most-one-obstacle'), [3, 4])).toBe(1)
+  })
+
+  test('staying where one is is no step', () => {
+    expect(firstIllegalStep(at('if-at-most-one-obstacle'), [0, 0])).toBe(1)
+  })
+
+  test('the rules differ where one obstacle lies beside a diagonal step', () => {
+    expect(firstIllegalStep(at('if-at-most-one-obstacle'), [4, 1])).toBe(-1)
+    expect(firstIllegalStep(at('only-when-no-obstacles'), [4, 1])).toBe(1)
+    // Between (1, 1) and (2, 0) nothing passes under either rule.
+    expect(firstIllegalStep(at('if-at-most-one-obstacle'), [1, 6])).toBe(1)
+  })
+
+  test('a path of one cell or none has no step', () => {
+    expect(firstIllegalStep(at('only-when-no-obstacles'), [0])).toBe(-1)
+    expect(firstIllegalStep(at('only-when-no-obstacles'), [])).toBe(-1)
+  })
+})
+
+describe('measurePath', () => {
+  test('counts cells, lengths and turns', () => {
+    // (0, 0) E (1, 0) SE (2, 1) SE (3, 2) S (3, 3) on a map 10 wide
+    const path = [0, 1, 12, 23, 33]
+    const measure = measurePath(10, path)
+    expect(measure.cells).toBe(5)
+    expect(measure.turns).toBe(2)
+    expect(measure.length).toBeCloseTo(1 + Math.SQRT2 + Math.SQRT2 + 1, 12)
+  })
+
+  test('of one cell and of none', () => {
+    expect(measurePath(10, [5])).toEqual({ cells: 1, length: 0, turns: 0 })
+    expect(measurePath(10, [])).toEqual({ cells: 0, length: 0, turns: 0 })
+  })
+})

@@ -1,0 +1,55 @@
+import fc from 'fast-check'
+import { expect, test } from 'vitest'
+import { DX, DY } from '../../src/grid/directions'
+import { allLegalSteps, legalSteps, obstaclesAround } from '../../src/grid/steps'
+import { gridToRows } from '../../src/grid/text-map'
+import { grids, RULES, rules } from './arbitraries'
+
+test('the legal steps out of every neighbourhood, by the two rules as they are written down', () => {
+  for (let obstacles = 0; obstacles < 256; obstacles++) {
+    const wallAt = (dx: number, dy: number): boolean => {
+      for (let d = 0; d < 8; d++)
+        if (DX[d] === dx && DY[d] === dy) return (obstacles >> d) % 2 === 1
+      throw new Error('no neighbour')
+    }
+    for (const rule of RULES) {
+      const legal = legalSteps(rule, obstacles)
+      for (let d = 0; d < 8; d++) {
+        const [dx, dy] = [DX[d], DY[d]]
+        const beside = dx === 0 || dy === 0 ? [] : [wallAt(dx, 0), wallAt(0, dy)]
+        const corner =
+          rule === 'if-at-most-one-obstacle'
+            ? beside.length > 0 && beside.every(Boolean)
+            : beside.some(Boolean)
+        expect((legal >> d) % 2 === 1, `${rule} ${obstacles} ${d}`).toBe(!wallAt(dx, dy) && !corner)
+      }
+    }
+  }
+})
+
+test('the obstacles around a cell are those of the map, with the border among them', () => {
+  fc.assert(
+    fc.property(grids, (grid) => {
+      const rows = gridToRows(grid)
+      for (let cell = 0; cell < grid.walls.length; cell++) {
+        const x = cell % grid.width
+        const y = (cell - x) / grid.width
+        for (let d = 0; d < 8; d++) {
+          const obstacle = rows[y + DY[d]]?.[x + DX[d]] !== '.'
+          expect((obstaclesAround(grid, cell) >> d) % 2 === 1).toBe(obstacle)
+        }
+      }
+    }),
+  )
+})
+
+test('all legal steps of a map are those of each free cell, and none from an obstacle', () => {
+  fc.assert(
+    fc.property(grids, rules, (grid, rule) => {
+      const one = Array.from(grid.walls, (wall, cell) =>
+        wall ? 0 : legalSteps(rule, obstaclesAround(grid, cell)),
+      )
+      expect(Array.from(allLegalSteps(grid, rule))).toEqual(one)
+    }),
+  )
+})

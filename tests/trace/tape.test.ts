@@ -1,0 +1,97 @@
+import fc from 'fast-check'
+import { describe, expect, test } from 'vitest'
+import { EVENT, Tape, type TapeColumns } from '../../src/index'
+import { type Event, events, HEIGHT, tapeOf, WIDTH } from './arbitraries'
+
+const written = (tape: TapeColumns): Event[] =>
+  Array.from({ length: tape.length }, (_, i) => ({
+    kind: tape.kinds[i] as Event['kind'],
+    line: tape.lines[i],
+    cell: tape.cells[i],
+    other: tape.others[i],
+    value: tape.values[i],
+  }))
+
+test('what is written is on the tape, in order, with the line it was written at', () => {
+  fc.assert(
+    fc.property(events, (list) => {
+      expect(written(tapeOf(list))).toEqual(list)
+    }),
+  )
+})
+
+test('without a second cell and a value an event holds -1 and 0', () => {
+  const tape = new Tape()
+  tape.begin(2, 2)
+  tape.write(EVENT.vertex, 3)
+  expect(written(tape)).toEqual([{ kind: EVENT.vertex, line: 0, cell: 3, other: -1, value: 0 }])
+})
+
+test('nothing is lost when the tape grows', () => {
+  const tape = new Tape()
+  tape.begin(100, 100)
+  const room = tape.kinds.length
+  const list = Array.from({ length: 4 * room + 1 }, (_, i) => ({
+    kind: EVENT.open,
+    line: i % 7,
+    cell: i,
+    other: i - 1,
+    value: i / 3,
+  }))
+  for (const e of list) tape.at(e.line).write(e.kind, e.cell, e.other, e.value)
+  expect(tape.length).toBe(list.length)
+  expect(written(tape)).toEqual(list)
+})
+
+test('a tape that begins anew has forgotten all', () => {
+  const tape = tapeOf([{ kind: EVENT.step, line: 3, cell: 1, other: 0, value: 2 }])
+  tape.begin(7, 8)
+  expect([tape.width, tape.height, tape.length, tape.line]).toEqual([7, 8, 0, 0])
+  tape.write(EVENT.step, 5)
+  expect(written(tape)).toEqual([{ kind: EVENT.step, line: 0, cell: 5, other: -1, value: 0 }])
+})
+
+describe('release', () => {
+  test('gives the events and no room beside them, and all buffers to transfer', () => {
+    fc.assert(
+      fc.property(events, (list) => {
+        const { columns, buffers } = tapeOf(list).release()
+        expect([columns.width, columns.height, columns.length]).toEqual([
+          WIDTH,
+          HEIGHT,
+          list.length,
+        ])
+        expect(written(columns)).toEqual(list)
+        const { kinds, lines, cells, others, values } = columns
+        for (const column of [kinds, lines, cells, others, values]) {
+          expect(column.length).toBe(list.length)
+          expect(buffers).toContain(column.buffer)
+        }
+        expect(new Set(buffers).size).toBe(5)
+      }),
+    )
+  })
+
+  test('what was released can be transferred; the tape can be written on', () => {
+    const list = [{ kind: EVENT.step, line: 1, cell: 4, other: 3, value: 0.5 }] as const
+    const tape = tapeOf(list)
+    const { columns, buffers } = tape.release()
+    const received = Tape.from(structuredClone(columns, { transfer: buffers }))
+    expect(columns.kinds.length).toBe(0)
+    expect(written(received)).toEqual(list)
+    tape.at(2).write(EVENT.step, 5, 4)
+    expect(written(tape).map((e) => e.cell)).toEqual([4, 5])
+    expect(received.length).toBe(1)
+  })
+
+  test('a tape made from columns can be written on', () => {
+    fc.assert(
+      fc.property(events, events, (before, after) => {
+        const tape = Tape.from(tapeOf(before).release().columns)
+        expect(tape).toBeInstanceOf(Tape)
+        for (const e of after) tape.at(e.line).write(e.kind, e.cell, e.other, e.value)
+        expect(written(tape)).toEqual([...before, ...after])
+      }),
+    )
+  })
+})
