@@ -49,14 +49,16 @@ export const bug1 = onlinePlanner({
       const walk = hitObstacle(rover, ahead, params.turn, notes.at(line.hit))
       if (walk.isBoxedIn) return boxedIn('unreachable', hitPoint)
       let nearest = hitPoint
-      let stepsToNearest = 0
+      let firstMet = 0
+      let lastMet = 0
       notes.at(line.around)
       while (!walk.isAround && !isAtGoal()) {
         walk.step()
         if (farness(rover.position, goal) < farness(nearest, goal)) {
           nearest = rover.position
-          stepsToNearest = walk.taken.length
+          firstMet = walk.taken.length
         }
+        if (isSamePlace(rover.position, nearest)) lastMet = walk.taken.length
         notes.value(HERE, distance(rover.position, goal))
         notes.value(NEAREST, distance(nearest, goal))
       }
@@ -67,7 +69,7 @@ export const bug1 = onlinePlanner({
         return { status: 'unreachable', reason }
       }
       notes.at(line.back)
-      for (const direction of shorterWay(walk.taken, stepsToNearest)) {
+      for (const direction of shorterWay(walk.taken, firstMet, lastMet)) {
         rover.step(direction)
         rover.sense()
       }
@@ -78,9 +80,15 @@ export const bug1 = onlinePlanner({
   },
 })
 
-/** From the end of a closed walk, which is its start, to where it was after `steps` steps. */
-function shorterWay(taken: readonly Direction[], steps: number): readonly Direction[] {
-  const backwards = taken.length - steps
-  if (steps <= backwards) return taken.slice(0, steps)
-  return taken.slice(steps).reverse().map(opposite)
+/**
+ * From the end of a closed walk, which is its start, to a place on it: onwards to where it was first
+ * met, or backwards to where it was last met.
+ */
+function shorterWay(
+  taken: readonly Direction[],
+  firstMet: number,
+  lastMet: number,
+): readonly Direction[] {
+  if (firstMet <= taken.length - lastMet) return taken.slice(0, firstMet)
+  return taken.slice(lastMet).reverse().map(opposite)
 }

@@ -4,7 +4,7 @@ import { randomInteger } from '../grid/random'
 import { ClearRuns } from './clear-runs'
 import { costParam } from './costs'
 import { offlinePlanner } from './planner'
-import { type Roadmap, roadmapPseudocode, searchRoadmap } from './roadmap'
+import { type Roadmap, roadmapPseudocode, searchRoadmap, type VisitNeighbour } from './roadmap'
 
 const { text, line } = roadmapPseudocode({
   vertices: 'random free cells',
@@ -72,11 +72,12 @@ function sampleFreeCells(problem: Problem, count: number, random: () => number):
 
 function pairwiseRoadmap(problem: Problem, vertices: Int32Array): Roadmap {
   const runs = new ClearRuns(problem)
-  const eachNeighbour = (vertex: number, visit: (other: number) => void): void => {
+  const eachNeighbour = (vertex: number, visit: VisitNeighbour): void => {
     const cell = vertices[vertex]
     for (let other = 0; other < vertices.length; other++) {
-      const joined = runs.isFree(cell, vertices[other]) || runs.isFree(vertices[other], cell)
-      if (other !== vertex && joined) visit(other)
+      if (other === vertex) continue
+      if (runs.isFree(cell, vertices[other])) visit(other, true)
+      else if (runs.isFree(vertices[other], cell)) visit(other, false)
     }
   }
   return { vertices, eachNeighbour }

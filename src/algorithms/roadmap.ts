@@ -1,21 +1,25 @@
 import FlatQueue from 'flatqueue'
 import type { Cell } from '../grid/grid'
-import { firstIllegalStep } from '../grid/path'
 import type { Problem } from '../grid/problem'
 import { simplestPath } from '../grid/simplest-path'
 import { EVENT } from '../trace/events'
 import type { Tape } from '../trace/tape'
-import { ClearRuns } from './clear-runs'
 import { type Cost, costOfRank, rank } from './costs'
 import type { Answer, Status } from './planner'
 import { pseudocode } from './pseudocode'
+
+/**
+ * Called with the place in `vertices` of a joined vertex. `outward` tells which simplest path is
+ * known to be free: the one to that vertex, or else the one back from it.
+ */
+export type VisitNeighbour = (other: number, outward: boolean) => void
 
 /** A graph over some of the map's free cells, joined where a simplest path between them is free. */
 export interface Roadmap {
   /** The cells that are vertices, each once, start and goal among them. */
   readonly vertices: Int32Array
-  /** Calls `visit` with the place in `vertices` of each vertex joined to that one; some perhaps twice. */
-  eachNeighbour(vertex: number, visit: (other: number) => void): void
+  /** Visits each vertex joined to that one; some perhaps twice. */
+  eachNeighbour(vertex: number, visit: VisitNeighbour): void
 }
 
 type RoadmapLines = ReturnType<typeof roadmapPseudocode>['line']
@@ -50,12 +54,14 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   const { problem, cost, failure, lines, tape, progress } = task
   const { vertices } = roadmap
   const { width } = problem.grid
-  if (tape) recordRoadmap(roadmap, problem, lines, tape, cost)
+  if (tape) recordRoadmap(roadmap, width, lines, tape, cost)
   const weight = (a: number, b: number) => rankOfEdge(cost, width, vertices[a], vertices[b])
   const start = vertices.indexOf(problem.start)
   const goal = vertices.indexOf(problem.goal)
   const ranks = new Float64Array(vertices.length).fill(Number.POSITIVE_INFINITY)
   const parents = new Int32Array(vertices.length).fill(-1)
+  /** Whether the simplest path from the parent is the free one, or else the one to it. */
+  const outwards = new Uint8Array(vertices.length)
   const closed = new Uint8Array(vertices.length)
   const queue = new FlatQueue<number>()
   ranks[start] = 0
@@ -69,17 +75,18 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
     tape?.at(lines.close).write(EVENT.close, vertices[here], -1, costOfRank(cost, ranks[here]))
     if (++expanded % 256 === 0) progress(expanded / vertices.length)
     if (here === goal) {
-      const path = joinCells(problem, verticesTo(goal, parents, vertices))
+      const path = joinCells(width, vertices, parents, outwards, goal)
       tape?.at(lines.found)
       for (const cell of path) tape?.write(EVENT.path, cell)
       return { status: 'reached', reason: 'the shortest path on the roadmap', path, expanded }
     }
-    roadmap.eachNeighbour(here, (other) => {
+    roadmap.eachNeighbour(here, (other, outward) => {
       if (closed[other]) return
       const next = ranks[here] + weight(here, other)
       if (next >= ranks[other]) return
       ranks[other] = next
       parents[other] = here
+      outwards[other] = outward ? 1 : 0
       queue.push(other, next)
       tape
         ?.at(lines.open)
@@ -98,7 +105,7 @@ function rankOfEdge(cost: Cost, width: number, a: Cell, b: Cell): number {
 
 function recordRoadmap(
   { vertices, eachNeighbour }: Roadmap,
-  problem: Problem,
+  width: number,
   lines: RoadmapLines,
   tape: Tape,
   cost: Cost,
@@ -106,38 +113,36 @@ function recordRoadmap(
   tape.at(lines.vertices)
   for (const cell of vertices) tape.write(EVENT.vertex, cell)
   tape.at(lines.edges)
-  const { width } = problem.grid
-  const runs = new ClearRuns(problem)
   const lastSeenFrom = new Int32Array(vertices.length).fill(-1)
   for (let vertex = 0; vertex < vertices.length; vertex++) {
-    eachNeighbour(vertex, (other) => {
+    eachNeighbour(vertex, (other, outward) => {
       if (other <= vertex || lastSeenFrom[other] === vertex) return
       lastSeenFrom[other] = vertex
       const a = vertices[vertex]
       const b = vertices[other]
       const weight = costOfRank(cost, rankOfEdge(cost, width, a, b))
-      if (runs.isFree(a, b)) tape.write(EVENT.edge, a, b, weight)
+      if (outward) tape.write(EVENT.edge, a, b, weight)
       else tape.write(EVENT.edge, b, a, weight)
     })
   }
 }
 
-function verticesTo(goal: number, parents: Int32Array, vertices: Int32Array): Cell[] {
-  const cells: Cell[] = []
-  for (let vertex = goal; vertex >= 0; vertex = parents[vertex]) cells.push(vertices[vertex])
-  return cells.reverse()
-}
-
-/** The cells of the simplest paths between joined vertices, each in the direction that is free. */
-function joinCells(problem: Problem, vertices: readonly Cell[]): Int32Array {
-  const { width } = problem.grid
-  const path: Cell[] = [vertices[0]]
-  for (let i = 1; i < vertices.length; i++) {
-    let cells = simplestPath(width, vertices[i - 1], vertices[i])
-    if (firstIllegalStep(problem, cells) > 0) {
-      cells = simplestPath(width, vertices[i], vertices[i - 1]).reverse()
-    }
-    for (const cell of cells.subarray(1)) path.push(cell)
+/** The cells from the start to the goal: the simplest paths of the edges, one after the other. */
+function joinCells(
+  width: number,
+  vertices: Int32Array,
+  parents: Int32Array,
+  outwards: Uint8Array,
+  goal: number,
+): Int32Array {
+  const backwards: Cell[] = [vertices[goal]]
+  for (let vertex = goal; parents[vertex] >= 0; vertex = parents[vertex]) {
+    const here = vertices[vertex]
+    const parent = vertices[parents[vertex]]
+    const cells = outwards[vertex]
+      ? simplestPath(width, parent, here).reverse()
+      : simplestPath(width, here, parent)
+    for (const cell of cells.subarray(1)) backwards.push(cell)
   }
-  return Int32Array.from(path)
+  return Int32Array.from(backwards.reverse())
 }

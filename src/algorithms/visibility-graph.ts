@@ -1,10 +1,10 @@
-import { DX, DY, stepOffsets } from '../grid/directions'
-import { type Grid, isObstacle } from '../grid/grid'
+import { type Direction, DX, DY, isDiagonal, stepOffsets } from '../grid/directions'
+import { type Cell, type Grid, isObstacle } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import { allLegalSteps } from '../grid/steps'
 import { costParam } from './costs'
 import { offlinePlanner } from './planner'
-import { type Roadmap, roadmapPseudocode, searchRoadmap } from './roadmap'
+import { type Roadmap, roadmapPseudocode, searchRoadmap, type VisitNeighbour } from './roadmap'
 
 const { text, line } = roadmapPseudocode({
   vertices: 'each free cell diagonal to an obstacle, both cells between them free',
@@ -74,19 +74,21 @@ function visibilityRoadmap(problem: Problem): Roadmap {
     places[cell] = i
   })
 
-  const walk = (from: number, direction: number, visit: (other: number) => void): void => {
-    for (let cell = from; (legal[cell] >> direction) & 1; ) {
-      cell += offsets[direction]
-      if (isVertex[cell]) visit(places[cell])
+  const walk = (from: Cell, d: Direction, outward: boolean, visit: VisitNeighbour): void => {
+    const offset = offsets[d]
+    for (let cell = from; (legal[cell] >> d) & 1; ) {
+      cell += offset
+      if (isVertex[cell]) visit(places[cell], outward)
     }
   }
-  const eachNeighbour = (vertex: number, visit: (other: number) => void): void => {
-    for (let first = 0; first < 8; first++) {
-      walk(vertices[vertex], first, visit)
-      for (let cell = vertices[vertex]; (legal[cell] >> first) & 1; ) {
-        cell += offsets[first]
-        walk(cell, (first + 1) & 7, visit)
-        walk(cell, (first + 7) & 7, visit)
+  const eachNeighbour = (vertex: number, visit: VisitNeighbour): void => {
+    for (let d = 0; d < 8; d++) {
+      walk(vertices[vertex], d, true, visit)
+      for (let cell = vertices[vertex]; (legal[cell] >> d) & 1; ) {
+        cell += offsets[d]
+        // A simplest path begins with its diagonal part: after a straight ray it is walked backwards.
+        walk(cell, (d + 1) & 7, isDiagonal(d), visit)
+        walk(cell, (d + 7) & 7, isDiagonal(d), visit)
       }
     }
   }
