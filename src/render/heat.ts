@@ -45,10 +45,16 @@ export function heatColours({ heat }: Theme): Rgb[] {
   })
 }
 
-/** The ink that is read best on each level. */
-export function heatInks(theme: Theme): string[] {
+const inks = new WeakMap<Theme, readonly string[]>()
+
+/** The ink that is read best on each level. Kept for each theme, as it is asked for every frame. */
+export function heatInks(theme: Theme): readonly string[] {
+  const kept = inks.get(theme)
+  if (kept) return kept
   const { dark, light } = theme.ink
-  return heatColours(theme).map((colour) =>
+  const chosen = heatColours(theme).map((colour) =>
     contrast(colour, rgbOf(dark)) > contrast(colour, rgbOf(light)) ? dark : light,
   )
+  inks.set(theme, chosen)
+  return chosen
 }

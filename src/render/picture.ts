@@ -1,7 +1,9 @@
 import type { Cell } from '../grid/grid'
 import { KNOWN } from '../trace/frame'
+import type { TapeColumns } from '../trace/tape'
 import { CellCanvas } from './cell-canvas'
 import { CellImage } from './cell-image'
+import { edgeLines } from './edge-lines'
 import { drawHits, drawLeaves } from './layers/boundary-points'
 import { drawCells } from './layers/cells'
 import { drawCursor } from './layers/cursor'
@@ -33,7 +35,9 @@ export class Picture {
   readonly #marks: Sheet
   #screen: DeviceScreen = { width: 0, height: 0, pixel: 1 }
   #paintings = 0
+  #edgesTape: TapeColumns | undefined
   #edges = 0
+  #lines: readonly Cell[] = []
 
   constructor(host: HTMLElement) {
     this.#ground = new Sheet(host, 'ground')
@@ -94,17 +98,17 @@ export class Picture {
     }
   }
 
-  /** Edges only come to be while a plan unfolds: those that are drawn already stay. */
   #drawRoadmap(scene: Scene, place: Placement, ground: readonly unknown[]): void {
     const plan = planOnMap(scene)
     const edges = plan?.frame.edges ?? []
-    const count = edges.length / 2
-    const isOutdated = this.#roadmap.isOutdated([...ground, plan?.tape])
-    if (!isOutdated && count === this.#edges) return
-    const first = isOutdated || count < this.#edges ? 0 : this.#edges
-    if (first === 0) this.#roadmap.clear()
-    drawEdges(this.#roadmap.context, place, scene.theme, edges, first)
-    this.#edges = count
+    if (plan?.tape !== this.#edgesTape || edges.length !== this.#edges) {
+      this.#edgesTape = plan?.tape
+      this.#edges = edges.length
+      this.#lines = edges.length > 0 ? edgeLines(place.columns, place.rows, edges) : []
+    }
+    if (!this.#roadmap.isOutdated([...ground, this.#lines])) return
+    this.#roadmap.clear()
+    drawEdges(this.#roadmap.context, place, scene.theme, this.#lines)
   }
 
   /** Later frames of a tape only have more of everything, so the counts tell what is drawn. */

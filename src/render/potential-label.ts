@@ -7,6 +7,7 @@ export function potentialLabel(potential: number): string {
   if (potential < 100) return String(Math.round(potential * 10) / 10)
   const whole = Math.round(potential)
   if (whole < 10 * THOUSAND) return String(whole)
-  if (whole < MILLION) return `${Math.round(whole / THOUSAND)}k`
+  const thousands = Math.round(whole / THOUSAND)
+  if (thousands < THOUSAND) return `${thousands}k`
   return `${Math.round(whole / (MILLION / 10)) / 10}M`
 }

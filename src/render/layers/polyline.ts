@@ -21,7 +21,7 @@ function goesStraightOn({ columns }: Placement, a: Cell, b: Cell, c: Cell): bool
  * straight runs as one segment, and only what may be seen.
  */
 export function traceCells(
-  context: CanvasRenderingContext2D,
+  context: Pick<CanvasRenderingContext2D, 'moveTo' | 'lineTo'>,
   place: Placement,
   cells: readonly Cell[],
 ): void {

@@ -3,39 +3,23 @@ import { centreX, centreY, inProportion, isVisible, type Placement } from '../pl
 import type { Theme } from '../theme'
 import { mayBeSeen } from './polyline'
 
-/** The edges from number `first` on, each as the simplest path that it stands for. */
+/** @param lines pairs of cells, one after the other */
 export function drawEdges(
   context: CanvasRenderingContext2D,
   place: Placement,
   theme: Theme,
-  edges: readonly Cell[],
-  first: number,
+  lines: readonly Cell[],
 ): void {
-  context.lineJoin = 'round'
+  context.lineCap = 'round'
   context.strokeStyle = theme.roadmap
   context.lineWidth = inProportion(place, 0.05, 0.8, 2)
   context.beginPath()
-  for (let i = 2 * first; i + 1 < edges.length; i += 2) {
-    if (mayBeSeen(place, edges[i], edges[i + 1])) traceEdge(context, place, edges[i], edges[i + 1])
+  for (let i = 0; i + 1 < lines.length; i += 2) {
+    if (!mayBeSeen(place, lines[i], lines[i + 1])) continue
+    context.moveTo(centreX(place, lines[i]), centreY(place, lines[i]))
+    context.lineTo(centreX(place, lines[i + 1]), centreY(place, lines[i + 1]))
   }
   context.stroke()
-}
-
-/** Diagonally while both axes differ, then straight. */
-function traceEdge(
-  context: CanvasRenderingContext2D,
-  place: Placement,
-  from: Cell,
-  to: Cell,
-): void {
-  const x = centreX(place, from)
-  const y = centreY(place, from)
-  const endX = centreX(place, to)
-  const endY = centreY(place, to)
-  const diagonal = Math.min(Math.abs(endX - x), Math.abs(endY - y))
-  context.moveTo(x, y)
-  context.lineTo(x + Math.sign(endX - x) * diagonal, y + Math.sign(endY - y) * diagonal)
-  context.lineTo(endX, endY)
 }
 
 export function drawVertices(
