@@ -82,8 +82,8 @@ function removeWalls(
   }
 }
 
-/** The bottom right cell, or the one left of it where that is a pillar. */
+/** The bottom right cell, or the one above it where that is a pillar. */
 function cornerCell({ width, height }: Size, walls: Uint8Array): Cell {
   const corner = width * height - 1
-  return walls[corner] ? corner - 1 : corner
+  return walls[corner] ? corner - width : corner
 }
