@@ -38,6 +38,7 @@ import {
   planIsSlow,
   planProgressed,
   planStarted,
+  prefer,
   tell,
 } from './transitions'
 
@@ -128,16 +129,23 @@ export function startApp(): void {
       playback = null
       ask(now)
     }
+    // Who has changed something needs no greeting any more.
+    if (now.committed !== before.committed) store.update((state) => prefer(state, { hint: false }))
     if (now.shown !== before.shown && now.shown) {
       const atOnce = now.shown.instant || now.shown.setup !== now.setup || stillness.matches
       playback = atOnce ? null : new Playback(now.shown, isShowcase ? SHOWCASE : PLAYED_ONCE)
     }
     keep(now, before)
+    describeMap()
     requestFrame()
   })
 
   const isDark = ({ preferences }: State) =>
     preferences.theme === 'system' ? !lightness.matches : preferences.theme === 'dark'
+
+  const describeMap = () => {
+    Object.assign(map.dataset, mapAttributes(store.state, playback !== null))
+  }
 
   const layOutPage = () => {
     const [width, height] = [window.innerWidth, window.innerHeight]
@@ -162,7 +170,7 @@ export function startApp(): void {
     const frame = playback?.frameAt(now) ?? null
     if (!frame) playback = null
     picture.draw(sceneOf(rendered, isDark(rendered), frame), rendered.view)
-    Object.assign(map.dataset, mapAttributes(rendered, playback !== null))
+    describeMap()
     if (playback || rendered.run.kind === 'running') requestFrame()
   }
 

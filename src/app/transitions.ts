@@ -132,10 +132,11 @@ export const hideCursor = (state: State, cursor = state.cursor): State => ({
   cursorShown: false,
 })
 
-export const prefer = (state: State, some: Partial<Preferences>): State => ({
-  ...state,
-  preferences: { ...state.preferences, ...some },
-})
+export function prefer(state: State, some: Partial<Preferences>): State {
+  const preferences = { ...state.preferences, ...some }
+  const isNew = JSON.stringify(preferences) !== JSON.stringify(state.preferences)
+  return isNew ? { ...state, preferences } : state
+}
 
 /** Said to those who listen; it does not stand anywhere. */
 export const say = (state: State, text: string): State => ({

@@ -23,7 +23,7 @@ export function messages(store: Store<State>): (state: State) => void {
     close.addEventListener('click', () => store.update((state) => dismiss(state, id)))
     const box = create(
       'div',
-      { class: `toast ${kind}`, role: kind === 'error' ? 'alert' : 'status' },
+      { class: `toast ${kind}`, ...(kind === 'error' ? { role: 'alert' } : {}) },
       create('span', {}, text),
       close,
     )
