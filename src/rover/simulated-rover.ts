@@ -1,4 +1,4 @@
-import { type Direction, DX, DY } from '../grid/directions'
+import { type Direction, opposite, stepOffsets, stepped } from '../grid/directions'
 import { type Cell, type Grid, isInside, isObstacle, type Point, pointOf } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import { type DiagonalRule, type Directions, legalSteps } from '../grid/steps'
@@ -23,9 +23,14 @@ export class SimulatedRover implements Rover {
   readonly #diagonal: DiagonalRule
   readonly #lineOfSight: boolean
   readonly #tape: Tape | undefined
-  /** The map as known, with a rim of `range` cells for what is sensed beyond the border. */
+  /** The map as known, with a rim for what is sensed beyond the border. */
   readonly #known: Uint8Array
+  /** For each place of it the directions of neighbours sensed as obstacles, and of those sensed as free. */
+  readonly #obstacles: Uint8Array
+  readonly #free: Uint8Array
+  readonly #rim: number
   readonly #stride: number
+  readonly #offsets: Int32Array
   readonly #trail: Cell[]
   #position: Point
 
@@ -36,8 +41,13 @@ export class SimulatedRover implements Rover {
     this.#lineOfSight = sensor.lineOfSight
     this.#tape = tape
     this.range = sensor.range
-    this.#stride = grid.width + 2 * sensor.range
-    this.#known = new Uint8Array(this.#stride * (grid.height + 2 * sensor.range))
+    this.#rim = sensor.range + 1
+    this.#stride = grid.width + 2 * this.#rim
+    this.#offsets = stepOffsets(this.#stride)
+    const places = this.#stride * (grid.height + 2 * this.#rim)
+    this.#known = new Uint8Array(places)
+    this.#obstacles = new Uint8Array(places)
+    this.#free = new Uint8Array(places)
     this.#position = pointOf(grid.width, start)
     this.goal = pointOf(grid.width, goal)
     this.#trail = [start]
@@ -65,30 +75,24 @@ export class SimulatedRover implements Rover {
   }
 
   known(x: number, y: number): Knowledge {
-    const i = this.#index(x, y)
-    return i < 0 ? 'unknown' : KNOWLEDGE[this.#known[i]]
+    const place = this.#place(x, y)
+    return place < 0 ? 'unknown' : KNOWLEDGE[this.#known[place]]
   }
 
   obstaclesAround({ x, y }: Point = this.#position): Directions {
-    let obstacles = 0
-    for (let d = 0; d < 8; d++) {
-      if (this.known(x + DX[d], y + DY[d]) === 'obstacle') obstacles |= 1 << d
-    }
-    return obstacles
+    const place = this.#place(x, y)
+    return place < 0 ? 0 : this.#obstacles[place]
   }
 
   legalSteps({ x, y }: Point = this.#position): Directions {
-    let blocked = 0
-    for (let d = 0; d < 8; d++) {
-      if (this.known(x + DX[d], y + DY[d]) !== 'free') blocked |= 1 << d
-    }
-    return legalSteps(this.#diagonal, blocked)
+    const place = this.#place(x, y)
+    return place < 0 ? 0 : legalSteps(this.#diagonal, ~this.#free[place] & 255)
   }
 
   step(direction: Direction): boolean {
     if (((this.legalSteps() >> direction) & 1) === 0) return false
     const from = this.#position
-    this.#position = { x: from.x + DX[direction], y: from.y + DY[direction] }
+    this.#position = stepped(from, direction)
     const cell = this.#cell(this.#position)
     this.#trail.push(cell)
     this.#tape?.write(EVENT.step, cell, this.#cell(from))
@@ -100,20 +104,22 @@ export class SimulatedRover implements Rover {
   }
 
   /** Where (x, y) is in `#known`; -1 if it is farther out than any sensor reaches. */
-  #index(x: number, y: number): number {
-    const column = x + this.range
-    const row = y + this.range
-    const inside = column >= 0 && column < this.#stride && row >= 0
-    const i = row * this.#stride + column
-    return inside && i < this.#known.length ? i : -1
+  #place(x: number, y: number): number {
+    const column = x + this.#rim
+    const row = y + this.#rim
+    const place = row * this.#stride + column
+    const inside = column >= 0 && column < this.#stride && row >= 0 && place < this.#known.length
+    return inside ? place : -1
   }
 
   #senseCell(x: number, y: number): void {
-    const i = this.#index(x, y)
-    if (this.#known[i] !== KNOWN.unknown) return
+    const place = this.#place(x, y)
+    if (this.#known[place] !== KNOWN.unknown) return
     if (this.#lineOfSight && !isInSight(this.#grid, this.#position, { x, y })) return
     const obstacle = isObstacle(this.#grid, x, y)
-    this.#known[i] = obstacle ? KNOWN.obstacle : KNOWN.free
+    this.#known[place] = obstacle ? KNOWN.obstacle : KNOWN.free
+    const neighbours = obstacle ? this.#obstacles : this.#free
+    for (let d = 0; d < 8; d++) neighbours[place + this.#offsets[d]] |= 1 << opposite(d)
     if (!isInside(this.#grid, x, y)) return
     this.sensed++
     this.#tape?.write(EVENT.sense, this.#cell({ x, y }), obstacle ? 1 : 0)
