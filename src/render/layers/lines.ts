@@ -2,7 +2,7 @@ import { cellsAreAtLeast, edgeX, edgeY, type Placement } from '../placement'
 import type { Theme } from '../theme'
 import { LINES_FROM } from '../view'
 
-/** The lines between cells, one device pixel wide, fading in with the size of the cells. */
+/** The lines between cells, as thin as the screen allows, fading in with the size of the cells. */
 export function drawLines(context: CanvasRenderingContext2D, place: Placement, theme: Theme): void {
   if (!cellsAreAtLeast(place, LINES_FROM)) return
   const { fromX, fromY, toX, toY } = place
@@ -10,7 +10,7 @@ export function drawLines(context: CanvasRenderingContext2D, place: Placement, t
   const top = edgeY(place, fromY)
   const width = edgeX(place, toX) - left
   const height = edgeY(place, toY) - top
-  const line = Math.max(1, Math.floor(place.pixel))
+  const line = Math.max(1, Math.round(place.pixel / 2))
   context.beginPath()
   for (let x = Math.max(1, fromX); x < toX; x++) context.rect(edgeX(place, x), top, line, height)
   for (let y = Math.max(1, fromY); y < toY; y++) context.rect(left, edgeY(place, y), width, line)
