@@ -24,7 +24,8 @@ export default defineConfig({
   use: {
     baseURL: `http://127.0.0.1:${process.env.PREVIEW_PORT}${SUB_PATH}`,
     contextOptions: { reducedMotion: 'reduce' },
-    trace: 'retain-on-failure',
+    trace: { mode: 'retain-on-failure', screenshots: false },
+    screenshot: 'only-on-failure',
     launchOptions: {
       ...(executablePath && { executablePath }),
       args: [
