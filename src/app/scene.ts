@@ -13,7 +13,8 @@ export function sceneOf(state: State, isDark: boolean, frame: Frame | null): Sce
     theme: isDark ? darkTheme : lightTheme,
     plan: shown && { tape: shown.tape, frame: frame ?? shown.last },
     sensorRange: sensorRangeOf(shown?.setup ?? setup),
-    showPotential: preferences.showPotential,
+    // Where there is none, nothing need look for it in a long tape.
+    showPotential: preferences.showPotential && shown !== null && shown.last.potential !== null,
     cursor: cursorShown ? cursor : -1,
   }
 }

@@ -76,7 +76,7 @@ function knownParams(params: Record<string, ParamSettings>): Record<string, Para
 export type Loaded =
   | { readonly kind: 'nothing' }
   | { readonly kind: 'setup'; readonly setup: Setup }
-  | { readonly kind: 'broken'; readonly message: string }
+  | { readonly kind: 'broken' }
 
 /** What was drawn when the page was last open. */
 export function loadSetup(shelf: Shelf | null): Loaded {
@@ -84,9 +84,8 @@ export function loadSetup(shelf: Shelf | null): Loaded {
   if (text === null) return { kind: 'nothing' }
   try {
     return { kind: 'setup', setup: setupFromText(text) }
-  } catch (error) {
-    const why = error instanceof Error ? error.message : String(error)
-    return { kind: 'broken', message: why }
+  } catch {
+    return { kind: 'broken' }
   }
 }
 

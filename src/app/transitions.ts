@@ -37,9 +37,11 @@ export function change(state: State, setup: Setup, text: string): State {
   return commit(edit(commit(state, ''), setup), text)
 }
 
-/** A change to another map, seen as a whole. */
-export const changeMap = (state: State, setup: Setup, text: string): State =>
-  fitToRoom(change(state, setup, text))
+/** A change to another map, seen as a whole. Errors of earlier attempts to get one are over. */
+export function changeMap(state: State, setup: Setup, text: string): State {
+  const messages = state.messages.filter((message) => message.kind !== 'error')
+  return fitToRoom({ ...change(state, setup, text), messages })
+}
 
 export const undo = (state: State): State =>
   travel(state, history.undo, { done: 'Undone.', nothing: 'Nothing to undo.' })

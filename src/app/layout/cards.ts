@@ -58,6 +58,11 @@ export class Cards {
       this.#fold(card, isOpen)
       if (!isOpen && this.#narrow.matches) this.#foldOthers(card)
     })
+    // A finger hits the whole bar more easily than the button at its end.
+    grip?.addEventListener('click', ({ target }) => {
+      const isButton = target instanceof Element && target.closest('button')
+      if (this.#narrow.matches && !isButton) fold?.click()
+    })
     handle?.addEventListener('keydown', (event) => this.#handleKey(event, card))
     if (grip) this.#dragBy(grip, card)
   }
