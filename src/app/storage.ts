@@ -63,7 +63,8 @@ export function setupFromText(text: string): Setup {
 function knownParams(params: Record<string, ParamSettings>): Record<string, ParamSettings> {
   const known: Record<string, ParamSettings> = {}
   for (const planner of planners) {
-    const settings = params[planner.id] ?? {}
+    const settings = params[planner.id]
+    if (!settings) continue
     known[planner.id] = Object.fromEntries(
       planner.params
         .filter((param) => param.name in settings && !faultOf(param, settings[param.name]))
