@@ -2,9 +2,11 @@ import { describe, expect, it } from 'vitest'
 import { withMark } from '../../src/app/setup'
 import { isSettled, type State, visiblePlan } from '../../src/app/state'
 import {
+  attempt,
   cancel,
   change,
   changeMap,
+  clearObstacles,
   commit,
   dismiss,
   edit,
@@ -69,6 +71,24 @@ describe('edits', () => {
     expect(undo(begin).said.text).toBe('Nothing to undo.')
     expect(redo(begin).said.text).toBe('Nothing to redo.')
   })
+})
+
+describe('a change that refuses what it is given', () => {
+  it('changes nothing and says why', () => {
+    const state = attempt(begin, () => {
+      throw new Error('No cell is free.')
+    })
+    expect(state.setup).toBe(begin.setup)
+    expect(state.messages[0]).toMatchObject({ kind: 'error', text: 'No cell is free.' })
+  })
+})
+
+it('clearing obstacles is a step to undo, and none if there are none', () => {
+  const drawn = stateFrom('S.#\n#.G')
+  const cleared = clearObstacles(drawn)
+  expect(cleared.setup.problem.grid.walls.includes(1)).toBe(false)
+  expect(undo(cleared).setup.problem.grid.walls).toEqual(drawn.setup.problem.grid.walls)
+  expect(clearObstacles(cleared).history).toBe(cleared.history)
 })
 
 describe('the view', () => {
@@ -153,6 +173,13 @@ describe('messages', () => {
     const ids = state.messages.map((message) => message.id)
     expect(new Set(ids).size).toBe(3)
     expect(dismiss(state, ids[1]).messages.map((message) => message.text)).toEqual(['a', 'd'])
+  })
+
+  it('never have the id of one that is gone', () => {
+    const first = tell(begin, 'note', 'a')
+    const [{ id }] = first.messages
+    const second = tell(dismiss(first, id), 'note', 'b')
+    expect(second.messages[0].id).not.toBe(id)
   })
 
   it('about maps that could not be had go when one is there', () => {

@@ -1,5 +1,6 @@
 import { byId, create, setText } from '../element'
 import { type IconName, setIcon } from '../icons'
+import type { Planning } from '../planning'
 import { plannerOf } from '../setup'
 import type { State } from '../state'
 import { outcomeInWords, outcomeNumbers, type Row, reasonInWords, toneOf } from '../words'
@@ -42,13 +43,8 @@ export function reportOf({ run, shown, pathHidden, setup }: State): Report {
   }
 }
 
-export interface ResultActions {
-  cancel(): void
-  planAgain(): void
-}
-
 /** Binds the result card; returns what shows a state in it. */
-export function resultCard(actions: ResultActions): (state: State) => void {
+export function resultCard(planning: Planning): (state: State) => void {
   const card = byId('result', HTMLElement)
   const words = byId('result-words', HTMLHeadingElement)
   const detail = byId('result-detail', HTMLParagraphElement)
@@ -58,8 +54,8 @@ export function resultCard(actions: ResultActions): (state: State) => void {
   const table = byId('result-numbers', HTMLTableElement)
   const sign = card.querySelector<SVGSVGElement>('#result-icon')
   const bar = progress.querySelector<HTMLElement>('[role=progressbar]')
-  cancel.addEventListener('click', actions.cancel)
-  again.addEventListener('click', actions.planAgain)
+  cancel.addEventListener('click', planning.cancel)
+  again.addEventListener('click', planning.ask)
 
   return (state) => {
     const report = reportOf(state)
