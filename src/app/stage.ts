@@ -50,12 +50,14 @@ export class Stage {
 
   play(shown: Shown, settings: PlaybackSettings): void {
     this.#playback = new Playback(shown, settings)
+    this.#describe()
     this.#request()
   }
 
   /** What is being played is at its end at once. */
   stop(): void {
     this.#playback = null
+    this.#describe()
     this.#request()
   }
 
@@ -89,8 +91,7 @@ export class Stage {
   #showPanels(state: State): void {
     document.documentElement.setAttribute('theme', this.#isDark(state) ? 'dark' : 'light')
     for (const show of this.#panels) show(state)
-    const label = mapLabel(state)
-    if (this.#map.ariaLabel !== label) this.#map.ariaLabel = label
+    this.#map.setAttribute('aria-label', mapLabel(state))
   }
 
   #isDark({ preferences }: State): boolean {
