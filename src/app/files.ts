@@ -10,7 +10,7 @@ import { changeMap, say, tell } from './transitions'
 const MOST_BYTES = 64 * 2 ** 20
 
 /** Opens the map in a file. What is wrong with it is said; the map on screen stays. */
-export async function openFile(store: Store<State>, file: File): Promise<void> {
+async function openFile(store: Store<State>, file: File): Promise<void> {
   try {
     if (file.size > MOST_BYTES) {
       const size = Math.round(file.size / 2 ** 20)

@@ -20,7 +20,7 @@ export interface History {
 export const emptyHistory: History = { past: [], future: [] }
 
 /** Bytes of obstacles that are kept; what lies further back is forgotten. */
-export const HISTORY_BYTES = 64 * 2 ** 20
+const HISTORY_BYTES = 64 * 2 ** 20
 const HISTORY_STEPS = 1000
 
 /** Steps that leave the map as it is share its bits. */

@@ -28,7 +28,7 @@ import {
 } from '@mdi/js'
 
 /** Outlines of 24 × 24 icons by the name that `data-icon` gives. */
-export const ICONS = {
+const ICONS = {
   map: mdiMapOutline,
   new: mdiFilePlusOutline,
   scenarios: mdiBookOpenVariant,

@@ -50,7 +50,7 @@ export function setupToText(setup: Setup): string {
 }
 
 /** @throws Error if the text is not what `setupToText` writes, or holds no map to plan on. */
-export function setupFromText(text: string): Setup {
+function setupFromText(text: string): Setup {
   const read = v.parse(setupSchema, JSON.parse(text))
   const { width, height, start, goal, diagonal, plannerId, params, seed } = read
   const walls = unpackWalls(fromBase64(read.walls), width * height)

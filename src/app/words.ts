@@ -8,7 +8,7 @@ export type Tone = 'good' | 'proof' | 'bad'
 export const toneOf = (status: Status): Tone =>
   status === 'reached' ? 'good' : status === 'unreachable' ? 'proof' : 'bad'
 
-export const cellsInWords = (count: number): string =>
+const cellsInWords = (count: number): string =>
   `${count.toLocaleString('en')} ${count === 1 ? 'cell' : 'cells'}`
 
 /**

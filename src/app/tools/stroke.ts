@@ -27,7 +27,7 @@ export function lineOfCells(grid: Grid, from: Point, to: Point): Cell[] {
 }
 
 /** Those of the cells that drawing or erasing would change; start and goal are left alone. */
-export function cellsToPaint(problem: Problem, cells: readonly Cell[], obstacle: boolean): Cell[] {
+function cellsToPaint(problem: Problem, cells: readonly Cell[], obstacle: boolean): Cell[] {
   const { grid, start, goal } = problem
   const wall = obstacle ? 1 : 0
   return [...new Set(cells)].filter(
