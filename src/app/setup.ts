@@ -40,16 +40,21 @@ export function withMark(setup: Setup, mark: 'start' | 'goal', cell: Cell): Setu
   return { ...setup, problem: { ...setup.problem, [mark]: cell } }
 }
 
-/** A parameter of the chosen planner set by hand, or given back to its default. */
-export function withParam(setup: Setup, name: string, value: ParamValue | undefined): Setup {
-  const { [name]: _, ...others } = settingsOf(setup)
+/** A parameter of a planner set by hand, or given back to its default. */
+export function withParam(
+  setup: Setup,
+  plannerId: string,
+  name: string,
+  value: ParamValue | undefined,
+): Setup {
+  const { [name]: _, ...others } = setup.params[plannerId] ?? {}
   const settings = value === undefined ? others : { ...others, [name]: value }
-  return withSettings(setup, settings)
+  return withSettings(setup, plannerId, settings)
 }
 
-/** All settings of the chosen planner at once. */
-export function withSettings(setup: Setup, settings: ParamSettings): Setup {
-  return { ...setup, params: { ...setup.params, [setup.plannerId]: settings } }
+/** All settings of a planner at once. */
+export function withSettings(setup: Setup, plannerId: string, settings: ParamSettings): Setup {
+  return { ...setup, params: { ...setup.params, [plannerId]: settings } }
 }
 
 /** A map without obstacles, the start at its left and the goal at its right. */

@@ -18,7 +18,9 @@ const edits = fc.oneof(
     const changed = withCells(grid, [cell % grid.walls.length], grid.walls[cell] === 0)
     return withGrid(setup, changed)
   }),
-  fc.constantFrom('left', 'right').map((turn) => (setup: Setup) => withParam(setup, 'turn', turn)),
+  fc
+    .constantFrom('left', 'right')
+    .map((turn) => (setup: Setup) => withParam(setup, 'bug2', 'turn', turn)),
   fc.nat(9).map((seed) => (setup: Setup) => ({ ...setup, seed })),
   fc.integer({ min: 5, max: 9 }).map((side) => (setup: Setup) => ({
     ...setup,

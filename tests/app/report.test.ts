@@ -58,7 +58,7 @@ describe('the result card', () => {
 it('what a planner promises depends on its settings and on the diagonal rule', () => {
   const setup = setupFrom('S.\n.G', 'bug2')
   expect(promisesInWords(setup)).toContain('not complete')
-  expect(promisesInWords(withParam(setup, 'leave', 'closer'))).toContain(': complete')
+  expect(promisesInWords(withParam(setup, 'bug2', 'leave', 'closer'))).toContain(': complete')
   const graph = setupFrom('S.\n.G', 'visibility-graph')
   const strict = { ...graph.problem, diagonal: 'only-when-no-obstacles' as const }
   expect(promisesInWords(graph)).toContain('not optimal')

@@ -56,16 +56,16 @@ describe('settings', () => {
   const setup = setupFrom('S.\n.G', 'bug2')
 
   it('belong to their planner and stay when another one is chosen', () => {
-    const closer = withParam(setup, 'leave', 'closer')
+    const closer = withParam(setup, 'bug2', 'leave', 'closer')
     expect(settingsOf({ ...closer, plannerId: 'bug1' })).toEqual({})
     expect(valuesOf(closer)).toMatchObject({ leave: 'closer', turn: 'left' })
     expect(settingsOf(setup)).toEqual({})
   })
 
   it('go back to their defaults, one by one and all at once', () => {
-    const both = withParam(withParam(setup, 'leave', 'closer'), 'turn', 'right')
-    expect(settingsOf(withParam(both, 'leave', undefined))).toEqual({ turn: 'right' })
-    expect(settingsOf(withSettings(both, {}))).toEqual({})
+    const both = withParam(withParam(setup, 'bug2', 'leave', 'closer'), 'bug2', 'turn', 'right')
+    expect(settingsOf(withParam(both, 'bug2', 'leave', undefined))).toEqual({ turn: 'right' })
+    expect(settingsOf(withSettings(both, 'bug2', {}))).toEqual({})
   })
 })
 

@@ -1,7 +1,7 @@
 import { plannerById } from '../../algorithms/plan'
 import { byId, create } from '../element'
 import { type Scenario, scenarios } from '../scenarios'
-import type { Setup } from '../setup'
+import { type Setup, withSettings } from '../setup'
 import type { State } from '../state'
 import type { Store } from '../store'
 import { changeMap } from '../transitions'
@@ -9,7 +9,7 @@ import { dialog } from './dialog'
 
 /** The map of a scenario, with its planner and settings; the other planners keep theirs. */
 export function withScenario(setup: Setup, { problem, planner, params }: Scenario): Setup {
-  return { ...setup, problem, plannerId: planner, params: { ...setup.params, [planner]: params } }
+  return withSettings({ ...setup, problem, plannerId: planner }, planner, params)
 }
 
 /** Binds the dialog of the scenarios; returns what opens it. */

@@ -20,7 +20,7 @@ interface ParamRow {
 
 export function paramsForm(store: Store<State>): ParamsForm {
   const planner = plannerOf(store.state.setup)
-  const rows = planner.params.map((param) => rowFor(store, param))
+  const rows = planner.params.map((param) => rowFor(store, planner.id, param))
   return {
     planner,
     elements: rows.map((row) => row.element),
@@ -30,14 +30,15 @@ export function paramsForm(store: Store<State>): ParamsForm {
   }
 }
 
-function rowFor(store: Store<State>, param: Param): ParamRow {
+/** Writes to the planner that it was built for, even if another one has been chosen meanwhile. */
+function rowFor(store: Store<State>, plannerId: string, param: Param): ParamRow {
   switch (param.kind) {
     case 'choice':
-      return choiceRow(store, param)
+      return choiceRow(store, plannerId, param)
     case 'boolean':
-      return switchRow(store, param)
+      return switchRow(store, plannerId, param)
     default:
-      return numberRow(store, param)
+      return numberRow(store, plannerId, param)
   }
 }
 
@@ -46,7 +47,11 @@ const idOf = (param: Param): string => `param-${param.name}`
 const settingOf = (setup: Setup, param: Param): ParamValue =>
   settingsOf(setup)[param.name] ?? defaultOf(param, setup.problem)
 
-function numberRow(store: Store<State>, param: Extract<Param, { unit: string }>): ParamRow {
+function numberRow(
+  store: Store<State>,
+  plannerId: string,
+  param: Extract<Param, { unit: string }>,
+): ParamRow {
   const { name, default: usual } = param
   const isAutomatic = typeof usual === 'function'
   const automatic = (setup: Setup) => `${defaultOf(param, setup.problem)} (automatic)`
@@ -57,7 +62,8 @@ function numberRow(store: Store<State>, param: Extract<Param, { unit: string }>)
       ...(isAutomatic ? { automatic: automatic(store.state.setup) } : {}),
     },
     {
-      edited: (value) => store.update((state) => edit(state, withParam(state.setup, name, value))),
+      edited: (value) =>
+        store.update((state) => edit(state, withParam(state.setup, plannerId, name, value))),
       done: () =>
         store.update((state) => commit(state, `${param.label}: ${settingOf(state.setup, param)}.`)),
     },
@@ -66,17 +72,25 @@ function numberRow(store: Store<State>, param: Extract<Param, { unit: string }>)
     element: field.element,
     show(setup) {
       const value = settingsOf(setup)[name]
-      if (isAutomatic) field.setAutomatic(automatic(setup))
-      else field.show(Number(settingOf(setup, param)))
-      if (isAutomatic) field.show(typeof value === 'number' ? value : undefined)
+      if (!isAutomatic) return field.show(Number(settingOf(setup, param)))
+      field.setAutomatic(automatic(setup))
+      field.show(typeof value === 'number' ? value : undefined)
     },
   }
 }
 
-function choiceRow(store: Store<State>, param: Extract<Param, { kind: 'choice' }>): ParamRow {
+function choiceRow(
+  store: Store<State>,
+  plannerId: string,
+  param: Extract<Param, { kind: 'choice' }>,
+): ParamRow {
   const field = choiceField({ ...param, id: idOf(param) }, (value) =>
     store.update((state) =>
-      change(state, withParam(state.setup, param.name, value), `${param.label}: ${value}.`),
+      change(
+        state,
+        withParam(state.setup, plannerId, param.name, value),
+        `${param.label}: ${value}.`,
+      ),
     ),
   )
   return {
@@ -85,12 +99,16 @@ function choiceRow(store: Store<State>, param: Extract<Param, { kind: 'choice' }
   }
 }
 
-function switchRow(store: Store<State>, param: Extract<Param, { kind: 'boolean' }>): ParamRow {
+function switchRow(
+  store: Store<State>,
+  plannerId: string,
+  param: Extract<Param, { kind: 'boolean' }>,
+): ParamRow {
   const field = switchField({ ...param, id: idOf(param) }, (on) =>
     store.update((state) =>
       change(
         state,
-        withParam(state.setup, param.name, on),
+        withParam(state.setup, plannerId, param.name, on),
         `${param.label}: ${on ? 'on' : 'off'}.`,
       ),
     ),

@@ -122,6 +122,6 @@ export function plannerCard(store: Store<State>, openAbout: () => void): (state:
 
 /** The seed belongs to the settings of planners that use it. */
 function resetSetup(setup: Setup): Setup {
-  const reset = withSettings(setup, {})
+  const reset = withSettings(setup, setup.plannerId, {})
   return plannerOf(setup).usesSeed ? { ...reset, seed: 1 } : reset
 }
