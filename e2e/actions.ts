@@ -57,8 +57,13 @@ export async function dropFile(page: Page, name: string, text: string): Promise<
 export const plannerSelect = (page: Page): Locator =>
   page.getByRole('combobox', { name: 'Planner', exact: true })
 
+/** Chooses a planner; on a phone its card is opened for that and folded again. */
 export async function choosePlanner(page: Page, title: string): Promise<void> {
+  const fold = page.getByRole('button', { name: 'Fold the planner card' })
+  const wasFolded = (await fold.getAttribute('aria-expanded')) === 'false'
+  if (wasFolded) await fold.click()
   await plannerSelect(page).selectOption({ label: title })
+  if (wasFolded) await fold.click()
 }
 
 /** The control of a parameter, found by its label, whatever unit stands behind that. */

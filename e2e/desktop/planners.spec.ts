@@ -187,13 +187,13 @@ test('another seed draws another roadmap, the same seed the same', async ({ map,
   const problem = problemFromText(ROWS)
   const planner = plannerById('probabilistic-roadmap')
   await choosePlanner(page, planner.title)
-  await setParam(page, 'Samples', 30)
-  const params = { samples: 30 }
+  await setParam(page, 'Samples', 8)
+  const params = { samples: 8 }
   const answers = new Set<number>()
-  for (const seed of [1, 2, 3, 4, 5, 1]) {
+  for (const seed of [1, 5, 6, 1]) {
     await paramControl(page, 'Seed').fill(String(seed))
     await expectPlan(map, planner, params, seed)
     answers.add(plan(problem, planner.id, { params, seed }).path.length)
   }
-  expect(answers.size).toBeGreaterThan(1)
+  expect(answers.size).toBe(3)
 })

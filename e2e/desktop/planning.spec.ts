@@ -1,0 +1,140 @@
+import type { Page } from '@playwright/test'
+import { openMap as readMap } from '../../src/grid/formats/open-map'
+import { generators } from '../../src/grid/generators'
+import { plan, planners, problemToText } from '../../src/index'
+import {
+  chooseFromMapMenu,
+  choosePlanner,
+  expectResult,
+  expectSaid,
+  expectSettled,
+  openMap,
+  saveMap,
+  setParam,
+} from '../actions'
+import { expect, test } from '../fixtures'
+
+/** A plan that takes minutes: every two of 100,000 samples are compared. */
+async function startLongPlan(page: Page): Promise<void> {
+  await chooseFromMapMenu(page, 'New…')
+  const dialog = page.getByRole('dialog', { name: 'New map' })
+  await dialog.getByLabel('Width').fill('1000')
+  await dialog.getByLabel('Height').fill('1000')
+  await dialog.getByRole('button', { name: 'Create' }).click()
+  await choosePlanner(page, 'Probabilistic roadmap')
+  await setParam(page, 'Samples', 100_000)
+  await expectResult(page, 'Planning…')
+}
+
+const randomMap = problemToText(
+  generators[0].generate({ width: 60, height: 40 }, { density: 20 }, 3, 'if-at-most-one-obstacle'),
+)
+
+test('a long plan shows how far it is, and the page still answers', async ({ map, page }) => {
+  await startLongPlan(page)
+  const progress = page.getByRole('progressbar', { name: 'Planning' })
+  await expect(progress).toBeVisible()
+  await expect(map.element).toHaveAttribute('data-status', 'planning')
+
+  const { scale } = await map.view()
+  await page.getByRole('button', { name: 'Zoom in' }).click()
+  await expect.poll(async () => (await map.view()).scale).toBeGreaterThan(scale)
+  const longestFrame = await page.evaluate(async () => {
+    let longest = 0
+    let last = performance.now()
+    for (let i = 0; i < 30; i++) {
+      const now = await new Promise<number>((resolve) => requestAnimationFrame(resolve))
+      longest = Math.max(longest, now - last)
+      last = now
+    }
+    return longest
+  })
+  expect(longestFrame).toBeLessThan(500)
+  await expect(progress).toBeVisible()
+})
+
+test('a long plan can be cancelled and asked for again', async ({ map, page }) => {
+  await startLongPlan(page)
+  await page.getByRole('button', { name: 'Cancel' }).click()
+  await expectResult(page, 'Cancelled')
+  await expect(map.element).toHaveAttribute('data-status', 'cancelled')
+  await expect(page.getByRole('progressbar', { name: 'Planning' })).toBeHidden()
+  await expect(
+    page.getByText('Probabilistic roadmap was stopped before it came to an answer.'),
+  ).toBeVisible()
+  await page.getByRole('button', { name: 'Plan again' }).click()
+  await expectResult(page, 'Planning…')
+  await page.getByRole('button', { name: 'Cancel' }).click()
+  await setParam(page, 'Samples', 10)
+  await expectResult(page, /^Reached in \d+ cells$/)
+})
+
+test('a plan that nobody waits for any more is dropped', async ({ map, page }) => {
+  await startLongPlan(page)
+  await choosePlanner(page, 'Bug1')
+  await expectSaid(page, /^Planner: Bug1\. Reached in \d+ cells\.$/)
+  await expect(map.element).toHaveAttribute('data-planner', 'bug1')
+  await expect(map.element).toHaveAttribute('data-run', 'settled')
+})
+
+test('progress is told in numbers once there are some', async ({ page }) => {
+  await startLongPlan(page)
+  const progress = page.getByRole('progressbar', { name: 'Planning' })
+  await setParam(page, 'Samples', 20_000)
+  await expect(progress).toHaveAttribute('aria-valuenow', /^[1-9]\d?$/, { timeout: 15_000 })
+})
+
+test('after many quick edits the plan of the last one stands', async ({ map, page }) => {
+  await openMap(page, randomMap)
+  for (const { id } of planners) {
+    await page.getByRole('combobox', { name: 'Planner', exact: true }).selectOption(id)
+    await map.drag([
+      [20, 2],
+      [28, 36],
+      [31, 3],
+    ])
+    await page.keyboard.press('Control+z')
+    await map.drag([
+      [50, 35],
+      [45, 4],
+    ])
+    await expectSettled(page)
+    const { problem } = readMap((await saveMap(page)).text)
+    const { status, path } = plan(problem, id)
+    await expect(map.element).toHaveAttribute('data-status', status)
+    await expect(map.element).toHaveAttribute('data-cells', String(path.length))
+  }
+})
+
+test('on a map of 60 × 40 cells each plan is there in the frame after the edit', async ({
+  map,
+  page,
+}) => {
+  await openMap(page, randomMap)
+  await map.element.focus()
+  for (const { title, id } of planners) {
+    await choosePlanner(page, title)
+    await expect(map.element).toHaveAttribute('data-planner', id)
+    await expectSettled(page)
+    await map.element.focus()
+    // Of several edits the quickest counts: the machine may be busy with something else.
+    const frames = await map.element.evaluate(async (element) => {
+      const nextFrame = () => new Promise(requestAnimationFrame)
+      const counts: number[] = []
+      for (let edit = 0; edit < 12; edit++) {
+        await nextFrame()
+        const key = edit % 2 === 0 ? 'ArrowUp' : 'ArrowDown'
+        element.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }))
+        element.dispatchEvent(new KeyboardEvent('keydown', { key: 's', bubbles: true }))
+        let count = 0
+        while (element.dataset.status === 'planning') {
+          await nextFrame()
+          count++
+        }
+        counts.push(count)
+      }
+      return counts
+    })
+    expect(Math.min(...frames.filter((count) => count > 0)), `${title}: ${frames}`).toBe(1)
+  }
+})

@@ -1,0 +1,35 @@
+import { themes } from '../../src/render/theme'
+import { expect, test } from '../fixtures'
+
+const OUTSIDE = [-1, 3] as const
+
+test('the theme is the system’s, until another is chosen', async ({ map, page }) => {
+  const button = page.getByRole('button', { name: /^Theme: / })
+  await map.expectColour(OUTSIDE, themes.dark.outside)
+  await page.emulateMedia({ colorScheme: 'light' })
+  await map.expectColour(OUTSIDE, themes.light.outside)
+
+  await expect(button).toHaveAccessibleName('Theme: system. Change to dark')
+  await button.click()
+  await map.expectColour(OUTSIDE, themes.dark.outside)
+  await page.reload()
+  await expect(button).toHaveAccessibleName('Theme: dark. Change to light')
+  await map.expectColour(OUTSIDE, themes.dark.outside)
+
+  await page.emulateMedia({ colorScheme: 'dark' })
+  await button.click()
+  await expect(button).toHaveAccessibleName('Theme: light. Change to system')
+  await map.expectColour(OUTSIDE, themes.light.outside)
+  await button.click()
+  await map.expectColour(OUTSIDE, themes.dark.outside)
+})
+
+test('the line for newcomers goes when it is closed, and stays away', async ({ page }) => {
+  const hint = page.getByText('Drag to draw obstacles.')
+  await expect(hint).toBeVisible()
+  await page.getByRole('button', { name: 'Close this hint' }).click()
+  await expect(hint).toBeHidden()
+  await page.reload()
+  await expect(page.getByRole('application')).toHaveAttribute('data-status', 'reached')
+  await expect(hint).toBeHidden()
+})

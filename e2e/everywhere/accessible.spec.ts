@@ -1,0 +1,41 @@
+import { expectAccessible } from '../accessibility'
+import { chooseFromMapMenu, choosePlanner, dropFile } from '../actions'
+import { expect, test } from '../fixtures'
+
+test('axe finds nothing in the cards, the menu and the messages', async ({ page }) => {
+  for (const card of ['planner', 'result']) {
+    const fold = page.getByRole('button', { name: `Fold the ${card} card` })
+    if ((await fold.getAttribute('aria-expanded')) === 'false') await fold.click()
+    await expectAccessible(page)
+  }
+  await dropFile(page, 'broken.json', '{')
+  await expect(page.getByRole('alert')).toBeVisible()
+  await page.getByRole('button', { name: 'Map', exact: true }).click()
+  await expect(page.getByRole('menu')).toBeVisible()
+  await expectAccessible(page)
+})
+
+test('axe finds nothing in the dialogs', async ({ page }) => {
+  const close = async (name: string) => {
+    const dialog = page.getByRole('dialog', { name })
+    await expect(dialog).toBeVisible()
+    await expectAccessible(page)
+    await page.keyboard.press('Escape')
+    await expect(dialog).toBeHidden()
+  }
+  await page.getByRole('button', { name: 'Help and keys' }).click()
+  await close('Help and keys')
+  await chooseFromMapMenu(page, 'New…')
+  await page.getByRole('spinbutton', { name: 'Width' }).fill('1')
+  await page.keyboard.press('Enter')
+  await close('New map')
+  await chooseFromMapMenu(page, 'Generate…')
+  await close('Generate a map')
+  await chooseFromMapMenu(page, 'Scenarios…')
+  await close('Scenarios')
+  await choosePlanner(page, 'Probabilistic roadmap')
+  const fold = page.getByRole('button', { name: 'Fold the planner card' })
+  if ((await fold.getAttribute('aria-expanded')) === 'false') await fold.click()
+  await page.getByRole('button', { name: 'What it is and promises' }).click()
+  await close('Probabilistic roadmap')
+})

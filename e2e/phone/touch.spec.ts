@@ -1,0 +1,126 @@
+import { choosePlanner, drawnRows, expectResult, openMap } from '../actions'
+import { expect, test } from '../fixtures'
+
+const ROWS = `
+  ........
+  .S....G.
+  ........
+  ........
+  ........
+`
+
+test.beforeEach(async ({ page }) => {
+  await choosePlanner(page, 'Grid decomposition')
+  await openMap(page, ROWS)
+})
+
+test('a finger draws and erases', async ({ map, page }) => {
+  await map.touch([
+    [3, 0],
+    [3, 2],
+    [4, 3],
+  ])
+  await expectResult(page, /^Reached in [78] cells$/)
+  await map.tap(6, 4)
+  expect(await drawnRows(page)).toEqual([
+    '...#....',
+    '...#....',
+    '...#....',
+    '....#...',
+    '......#.',
+  ])
+  await map.touch([
+    [3, 0],
+    [3, 2],
+  ])
+  await map.tap(6, 4)
+  expect((await drawnRows(page)).join('')).toMatch(/^\.{28}#\.{11}$/)
+})
+
+test('a finger drags start and goal', async ({ map, page }) => {
+  await map.touch([
+    [6, 1],
+    [5, 2],
+    [4, 4],
+  ])
+  await expect(map.element).toHaveAttribute('data-goal', '4,4')
+  await expectResult(page, 'Reached in 4 cells')
+  await map.touch([
+    [1, 1],
+    [2, 4],
+  ])
+  await expect(map.element).toHaveAttribute('data-start', '2,4')
+  await expectResult(page, 'Reached in 3 cells')
+})
+
+test('two fingers zoom, and what the first had begun to draw is taken back', async ({
+  map,
+  page,
+}) => {
+  const before = await map.view()
+  await map.touch(
+    [
+      [3, 2],
+      [2, 1],
+      [1, 0],
+    ],
+    [
+      [4, 3],
+      [5, 4],
+      [6, 5],
+    ],
+  )
+  await expect.poll(async () => (await map.view()).scale).toBeGreaterThan(before.scale * 1.5)
+  expect((await drawnRows(page)).join('')).not.toContain('#')
+  await page.getByRole('button', { name: 'Show the whole map' }).click()
+  await expect.poll(() => map.view()).toEqual(before)
+})
+
+test('two fingers move the map', async ({ map, page }) => {
+  const before = await map.view()
+  await map.touch(
+    [
+      [2, 1],
+      [3, 2],
+      [4, 3],
+    ],
+    [
+      [4, 1],
+      [5, 2],
+      [6, 3],
+    ],
+  )
+  await expect.poll(async () => (await map.view()).left).toBeCloseTo(before.left + 2 * before.scale)
+  expect((await map.view()).top).toBeCloseTo(before.top + 2 * before.scale)
+  expect((await map.view()).scale).toBeCloseTo(before.scale)
+  expect((await drawnRows(page)).join('')).not.toContain('#')
+})
+
+test('the cards lie folded at the bottom, and one at a time comes up', async ({ page }) => {
+  const planner = page.getByRole('button', { name: 'Fold the planner card' })
+  const result = page.getByRole('button', { name: 'Fold the result card' })
+  await expect(planner).toHaveAttribute('aria-expanded', 'false')
+  await expect(result).toHaveAttribute('aria-expanded', 'false')
+  await expectResult(page, 'Reached in 6 cells')
+  await expect(page.getByRole('heading', { name: 'Grid decomposition' })).toBeVisible()
+
+  await page.getByRole('heading', { name: 'Grid decomposition' }).tap()
+  await expect(planner).toHaveAttribute('aria-expanded', 'true')
+  await page.getByRole('combobox', { name: 'Planner', exact: true }).selectOption('bug1')
+  await expect(page.getByLabel('Turn')).toBeInViewport()
+  await page.getByRole('heading', { name: 'Reached in 6 cells' }).tap()
+  await expect(planner).toHaveAttribute('aria-expanded', 'false')
+  await expect(page.getByRole('row', { name: 'Sensed' })).toBeInViewport()
+})
+
+test('nothing sticks out of the screen', async ({ map, page }) => {
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390)
+  const { left, top, scale, width, height } = await map.view()
+  expect(left).toBeGreaterThanOrEqual(0)
+  expect(top).toBeGreaterThanOrEqual(0)
+  expect(left + scale * width).toBeLessThanOrEqual(390)
+  expect(top + scale * height).toBeLessThanOrEqual(844)
+  for (const name of ['Map', 'Undo', 'Redo', 'Zoom in', 'Zoom out', 'Help and keys']) {
+    await expect(page.getByRole('button', { name, exact: true })).toBeInViewport({ ratio: 1 })
+  }
+})
