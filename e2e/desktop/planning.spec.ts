@@ -77,11 +77,31 @@ test('a plan that nobody waits for any more is dropped', async ({ map, page }) =
   await expect(map.element).toHaveAttribute('data-run', 'settled')
 })
 
-test('progress is told in numbers once there are some', async ({ page }) => {
-  await startLongPlan(page)
-  const progress = page.getByRole('progressbar', { name: 'Planning' })
-  await setParam(page, 'Samples', 20_000)
-  await expect(progress).toHaveAttribute('aria-valuenow', /^[1-9]\d?$/, { timeout: 15_000 })
+test('progress is told in numbers where the planner knows them', async ({ map, page }) => {
+  await choosePlanner(page, 'Grid decomposition')
+  const told = page.getByRole('progressbar', { includeHidden: true }).evaluate(
+    (bar) =>
+      new Promise<number[]>((resolve) => {
+        const values: number[] = []
+        const note = () => {
+          const value = bar.getAttribute('aria-valuenow')
+          if (value !== null) values.push(Number(value))
+          if (document.querySelector('#map[data-width="2048"][data-status="reached"]'))
+            resolve(values)
+        }
+        new MutationObserver(note).observe(document.body, { subtree: true, attributes: true })
+      }),
+  )
+  await chooseFromMapMenu(page, 'New…')
+  const dialog = page.getByRole('dialog', { name: 'New map' })
+  await dialog.getByLabel('Width').fill('2048')
+  await dialog.getByLabel('Height').fill('2048')
+  await dialog.getByRole('button', { name: 'Create' }).click()
+  await expect(map.element).toHaveAttribute('data-status', 'reached', { timeout: 20_000 })
+  const values = await told
+  expect(values.length).toBeGreaterThan(0)
+  expect(values).toEqual(values.toSorted((a, b) => a - b))
+  expect(values.at(-1)).toBeLessThanOrEqual(100)
 })
 
 test('after many quick edits the plan of the last one stands', async ({ map, page }) => {
