@@ -1,3 +1,4 @@
+import { darkTheme } from '../../src/render/theme'
 import {
   choosePlanner,
   drawnRows,
@@ -198,4 +199,17 @@ test('a cleared path comes back with the next change', async ({ map, page }) => 
   await expectResult(page, 'Path cleared')
   await map.click([6, 4])
   await expectResult(page, 'Reached in 10 cells')
+})
+
+test('an edit is on screen while the pointer is down', async ({ map, page }) => {
+  await openMap(page, '.....\nS...G\n.....')
+  await map.press([1, 0])
+  await map.expectColour([1, 0], darkTheme.obstacle.seen)
+  await map.moveTo(2, 1)
+  await map.expectColour([2, 1], darkTheme.obstacle.seen)
+  await map.release()
+  await map.press([1, 0])
+  await map.moveTo(2, 1)
+  await map.expectColour([2, 1], darkTheme.path)
+  await map.release()
 })

@@ -5,7 +5,7 @@ import { expect, test } from '../fixtures'
 const themeOf = (colorScheme: string | null | undefined) =>
   colorScheme === 'light' ? themes.light : themes.dark
 
-test('free cells, obstacles, start, goal, path and what was searched', async ({
+test('free cells, obstacles, start, goal, path, what was searched, and a roadmap', async ({
   colorScheme,
   map,
   page,
@@ -27,7 +27,21 @@ test('free cells, obstacles, start, goal, path and what was searched', async ({
   // Beside the sign in the middle of each.
   await map.expectColour([-0.3, 1], theme.start)
   await map.expectColour([3, 0.72], theme.goal)
-  await map.expectColour([-1, 1], theme.outside)
+  await map.expectColour([3, -1], theme.outside)
+
+  await choosePlanner(page, 'Visibility graph')
+  await openMap(
+    page,
+    `
+      ..........
+      .S......G.
+      ..........
+      ....#.....
+      ..........
+    `,
+  )
+  await map.expectColour([3, 4], theme.vertex)
+  await map.expectColour([5, 1], theme.path)
 })
 
 test('what the rover senses and feels', async ({ colorScheme, map, page }) => {
@@ -51,14 +65,8 @@ test('what the rover senses and feels', async ({ colorScheme, map, page }) => {
   await map.expectColour([5, 1], theme.feltMark)
   await map.expectColour([3, 1], theme.path)
   await map.expectColour([3.78, 0.74], theme.hit)
-})
 
-test('a rover that senses further sees obstacles before it feels them', async ({
-  colorScheme,
-  map,
-  page,
-}) => {
-  const theme = themeOf(colorScheme)
+  // One that senses further sees obstacles before it feels them.
   await choosePlanner(page, 'Tangent Bug')
   await openMap(
     page,
@@ -76,24 +84,6 @@ test('a rover that senses further sees obstacles before it feels them', async ({
   await map.expectColour([4, 5], theme.obstacle.unsensed)
   await map.expectColour([3, 3], theme.cell.sensed)
   await map.expectColour([3, 4], theme.cell.unsensed)
-})
-
-test('the vertices of a roadmap', async ({ colorScheme, map, page }) => {
-  const theme = themeOf(colorScheme)
-  await choosePlanner(page, 'Visibility graph')
-  await openMap(
-    page,
-    `
-      ..........
-      .S......G.
-      ..........
-      ....#.....
-      ..........
-    `,
-  )
-  await map.expectColour([3, 4], theme.vertex)
-  await map.expectColour([5, 1], theme.path)
-  await map.expectColour([4, 3], theme.obstacle.seen)
 })
 
 test('potentials as heat, and as numbers where cells are large, behind a switch', async ({
@@ -128,19 +118,4 @@ test('potentials as heat, and as numbers where cells are large, behind a switch'
   if (wasFolded) await fold.click()
   await map.expectColour([0.42, 2.42], theme.cell.free)
   await expect.poll(async () => (await map.coloursIn(1, 0)).size).toBe(1)
-})
-
-test('an edit is on screen while the pointer is down', async ({ colorScheme, map, page }) => {
-  const theme = themeOf(colorScheme)
-  await choosePlanner(page, 'Grid decomposition')
-  await openMap(page, '.....\nS...G\n.....')
-  await map.press([1, 0])
-  await map.expectColour([1, 0], theme.obstacle.seen)
-  await map.moveTo(2, 1)
-  await map.expectColour([2, 1], theme.obstacle.seen)
-  await map.release()
-  await map.press([1, 0])
-  await map.moveTo(2, 1)
-  await map.expectColour([2, 1], theme.path)
-  await map.release()
 })
