@@ -1,3 +1,4 @@
+import type { Cell } from '../grid/grid'
 import type { ChoiceParam } from './params'
 
 export type Cost = 'cells' | 'euclidean'
@@ -28,4 +29,11 @@ export function rank(cost: Cost, steps: number, diagonals: number): number {
 /** The cost that a rank stands for. */
 export function costOfRank(cost: Cost, rank: number): number {
   return cost === 'cells' ? Math.floor(rank / MORE_THAN_ANY_PATH) : rank
+}
+
+/** The rank of the simplest path between two cells. */
+export function rankOfSimplestPath(cost: Cost, width: number, a: Cell, b: Cell): number {
+  const across = Math.abs((a % width) - (b % width))
+  const down = Math.abs(Math.floor(a / width) - Math.floor(b / width))
+  return rank(cost, Math.max(across, down), Math.min(across, down))
 }

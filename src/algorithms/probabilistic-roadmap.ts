@@ -1,10 +1,17 @@
 import type { Cell } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import { randomInteger } from '../grid/random'
+import { EVENT } from '../trace/events'
 import { ClearRuns } from './clear-runs'
 import { costParam } from './costs'
 import { offlinePlanner } from './planner'
-import { type Roadmap, roadmapPseudocode, searchRoadmap, type VisitNeighbour } from './roadmap'
+import {
+  type Roadmap,
+  roadmapPhases,
+  roadmapPseudocode,
+  searchRoadmap,
+  type VisitNeighbour,
+} from './roadmap'
 
 const { text, line } = roadmapPseudocode({
   vertices: 'random free cells',
@@ -34,6 +41,7 @@ export const probabilisticRoadmap = offlinePlanner({
     costParam,
   ],
   usesSeed: true,
+  phases: roadmapPhases,
   pseudocode: text,
   source:
     'Report, IV.C; L. E. Kavraki et al., "Probabilistic roadmaps for path planning in high-dimensional configuration spaces", 1996',
@@ -43,6 +51,8 @@ export const probabilisticRoadmap = offlinePlanner({
       ...new Set([problem.start, problem.goal]),
       ...sampleFreeCells(problem, params.samples, random),
     ])
+    tape?.at(line.vertices).write(EVENT.phase, -1, 0)
+    for (const cell of vertices) tape?.write(EVENT.vertex, cell)
     const failure = {
       status: 'not-found',
       reason: 'these samples do not join start and goal; more samples or another seed may',

@@ -2,11 +2,12 @@ import FlatQueue from 'flatqueue'
 import type { Cell } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import { simplestPath } from '../grid/simplest-path'
-import { EVENT } from '../trace/events'
+import { EVENT, type Status } from '../trace/events'
 import type { Tape } from '../trace/tape'
-import { type Cost, costOfRank, rank } from './costs'
-import type { Answer, Status } from './planner'
+import { type Cost, costOfRank, rankOfSimplestPath } from './costs'
+import type { Answer } from './planner'
 import { pseudocode } from './pseudocode'
+import { recordEdges } from './roadmap-edges'
 
 /**
  * Called with the place in `vertices` of a joined vertex. `outward` tells which simplest path is
@@ -36,6 +37,8 @@ export function roadmapPseudocode(own: { readonly vertices: string; readonly non
   })
 }
 
+export const roadmapPhases = ['Find the vertices', 'Try simplest paths', 'Search', 'Path'] as const
+
 interface Task {
   readonly problem: Problem
   readonly cost: Cost
@@ -54,8 +57,9 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   const { problem, cost, failure, lines, tape, progress } = task
   const { vertices } = roadmap
   const { width } = problem.grid
-  if (tape) recordRoadmap(roadmap, width, lines, tape, cost)
-  const weight = (a: number, b: number) => rankOfEdge(cost, width, vertices[a], vertices[b])
+  if (tape) recordEdges(roadmap, problem, cost, tape.at(lines.edges))
+  tape?.at(lines.open).write(EVENT.phase, -1, 2)
+  const weight = (a: number, b: number) => rankOfSimplestPath(cost, width, vertices[a], vertices[b])
   const start = vertices.indexOf(problem.start)
   const goal = vertices.indexOf(problem.goal)
   const ranks = new Float64Array(vertices.length).fill(Number.POSITIVE_INFINITY)
@@ -66,7 +70,7 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   const queue = new FlatQueue<number>()
   ranks[start] = 0
   queue.push(start, 0)
-  tape?.at(lines.open).write(EVENT.open, problem.start)
+  tape?.write(EVENT.open, problem.start)
   let expanded = 0
   for (let vertex = queue.pop(); vertex !== undefined; vertex = queue.pop()) {
     if (closed[vertex]) continue
@@ -76,7 +80,7 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
     if (++expanded % 256 === 0) progress(expanded / vertices.length)
     if (here === goal) {
       const path = joinCells(width, vertices, parents, outwards, goal)
-      tape?.at(lines.found)
+      tape?.at(lines.found).write(EVENT.phase, -1, 3)
       for (const cell of path) tape?.write(EVENT.path, cell)
       return { status: 'reached', reason: 'the shortest path on the roadmap', path, expanded }
     }
@@ -95,36 +99,6 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   }
   tape?.at(lines.none)
   return { ...failure, path: new Int32Array(0), expanded }
-}
-
-function rankOfEdge(cost: Cost, width: number, a: Cell, b: Cell): number {
-  const across = Math.abs((a % width) - (b % width))
-  const down = Math.abs(Math.floor(a / width) - Math.floor(b / width))
-  return rank(cost, Math.max(across, down), Math.min(across, down))
-}
-
-function recordRoadmap(
-  { vertices, eachNeighbour }: Roadmap,
-  width: number,
-  lines: RoadmapLines,
-  tape: Tape,
-  cost: Cost,
-): void {
-  tape.at(lines.vertices)
-  for (const cell of vertices) tape.write(EVENT.vertex, cell)
-  tape.at(lines.edges)
-  const lastSeenFrom = new Int32Array(vertices.length).fill(-1)
-  for (let vertex = 0; vertex < vertices.length; vertex++) {
-    eachNeighbour(vertex, (other, outward) => {
-      if (other <= vertex || lastSeenFrom[other] === vertex) return
-      lastSeenFrom[other] = vertex
-      const a = vertices[vertex]
-      const b = vertices[other]
-      const weight = costOfRank(cost, rankOfEdge(cost, width, a, b))
-      if (outward) tape.write(EVENT.edge, a, b, weight)
-      else tape.write(EVENT.edge, b, a, weight)
-    })
-  }
 }
 
 /** The cells from the start to the goal: the simplest paths of the edges, one after the other. */

@@ -1,10 +1,18 @@
-import { type Direction, DX, DY, isDiagonal, stepOffsets } from '../grid/directions'
-import { type Cell, type Grid, isObstacle } from '../grid/grid'
+import { type Direction, isDiagonal, stepOffsets, stepped } from '../grid/directions'
+import { type Cell, type Grid, isInside, isObstacle, pointOf } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import { allLegalSteps } from '../grid/steps'
+import { EVENT } from '../trace/events'
+import type { Tape } from '../trace/tape'
 import { costParam } from './costs'
 import { offlinePlanner } from './planner'
-import { type Roadmap, roadmapPseudocode, searchRoadmap, type VisitNeighbour } from './roadmap'
+import {
+  type Roadmap,
+  roadmapPhases,
+  roadmapPseudocode,
+  searchRoadmap,
+  type VisitNeighbour,
+} from './roadmap'
 
 const { text, line } = roadmapPseudocode({
   vertices: 'each free cell diagonal to an obstacle, both cells between them free',
@@ -21,6 +29,7 @@ export const visibilityGraph = offlinePlanner({
   complete: () => true,
   optimal: ({ cost }, diagonal) => cost === 'cells' && diagonal === 'only-when-no-obstacles',
   params: [costParam],
+  phases: roadmapPhases,
   pseudocode: text,
   source:
     'Report, IV.B; T. Lozano-Pérez and M. A. Wesley, "An algorithm for planning collision-free paths among polyhedral obstacles", 1979',
@@ -32,30 +41,38 @@ export const visibilityGraph = offlinePlanner({
     } as const
     const { cost } = params
     const task = { problem, cost, failure, lines: line, tape, progress }
-    return searchRoadmap(visibilityRoadmap(problem), task)
+    tape?.at(line.vertices).write(EVENT.phase, -1, 0)
+    return searchRoadmap(visibilityRoadmap(problem, tape), task)
   },
 })
 
 /** For each cell whether it is a vertex: start, goal, or the free corner of an obstacle (Fig. 4). */
-function markVertices({ grid, start, goal }: Problem): Uint8Array {
+function markVertices({ grid, start, goal }: Problem, tape: Tape | undefined): Uint8Array {
   const isVertex = new Uint8Array(grid.walls.length)
-  isVertex[start] = 1
-  isVertex[goal] = 1
-  for (let cell = 0; cell < grid.walls.length; cell++) {
-    if (grid.walls[cell]) markCorners(grid, cell, isVertex)
+  const mark = (cell: Cell) => {
+    if (isVertex[cell]) return
+    isVertex[cell] = 1
+    tape?.write(EVENT.vertex, cell)
+  }
+  mark(start)
+  mark(goal)
+  for (let obstacle = 0; obstacle < grid.walls.length; obstacle++) {
+    if (!grid.walls[obstacle]) continue
+    for (let d = 1; d < 8; d += 2) {
+      const corner = stepped(pointOf(grid.width, obstacle), d)
+      if (!isInside(grid, corner.x, corner.y)) continue
+      const cell = corner.y * grid.width + corner.x
+      const isCorner = [d, d - 1, (d + 1) & 7].every((side) => isFree(grid, obstacle, side))
+      tape?.write(EVENT.test, cell, obstacle, isCorner ? 1 : 0)
+      if (isCorner) mark(cell)
+    }
   }
   return isVertex
 }
 
-function markCorners(grid: Grid, obstacle: number, isVertex: Uint8Array): void {
-  const x = obstacle % grid.width
-  const y = Math.floor(obstacle / grid.width)
-  const isFree = (d: number) => !isObstacle(grid, x + DX[d & 7], y + DY[d & 7])
-  for (let d = 1; d < 8; d += 2) {
-    if (isFree(d) && isFree(d - 1) && isFree(d + 1)) {
-      isVertex[(y + DY[d]) * grid.width + x + DX[d]] = 1
-    }
-  }
+function isFree(grid: Grid, cell: Cell, direction: Direction): boolean {
+  const { x, y } = stepped(pointOf(grid.width, cell), direction)
+  return !isObstacle(grid, x, y)
 }
 
 /**
@@ -63,11 +80,11 @@ function markCorners(grid: Grid, obstacle: number, isVertex: Uint8Array): void {
  * or to a vertex lie on rays that bend once, so walking these rays finds its neighbours in time
  * that grows with what it sees, not with the number of vertices.
  */
-function visibilityRoadmap(problem: Problem): Roadmap {
+function visibilityRoadmap(problem: Problem, tape: Tape | undefined): Roadmap {
   const { grid, diagonal } = problem
   const legal = allLegalSteps(grid, diagonal)
   const offsets = stepOffsets(grid.width)
-  const isVertex = markVertices(problem)
+  const isVertex = markVertices(problem, tape)
   const places = new Int32Array(grid.walls.length)
   const vertices = Int32Array.from(cellsOf(isVertex))
   vertices.forEach((cell, i) => {

@@ -74,7 +74,7 @@ describe('Fig. 5', () => {
 })
 
 describe('Fig. 6', () => {
-  const { repulsiveValue, influence, status, path, potential } = fig06.potentialField
+  const { repulsiveValue, influence, status, path, potential } = fig06.fields.potentialField
   const run = on('fig06', 'potential-field', { repulsiveValue, influence })
 
   test('the agent ends in the local minimum', () => {
@@ -92,7 +92,7 @@ describe('Fig. 6', () => {
 })
 
 describe('Fig. 7', () => {
-  const { repulsiveValue, influence, ...paths } = fig07.potentialFieldMemory
+  const { repulsiveValue, influence, ...paths } = fig07.fields.potentialFieldMemory
 
   test.each([
     ['manhattan', paths.manhattanRepulsion],
