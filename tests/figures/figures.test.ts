@@ -74,7 +74,7 @@ describe('Fig. 5', () => {
 })
 
 describe('Fig. 6', () => {
-  const { repulsiveValue, influence, status, path, potential } = fig06.fields.potentialField
+  const { repulsiveValue, influence, status, path, potential } = fig06.potentialField
   const run = on('fig06', 'potential-field', { repulsiveValue, influence })
 
   test('the agent ends in the local minimum', () => {
@@ -83,7 +83,7 @@ describe('Fig. 6', () => {
   })
 
   test('the potentials', () => {
-    const { potential: found } = frameAt(run.tape, run.tape.length)
+    const found = frameAt(run.tape, run.tape.length).fields.potential
     for (const [place, value] of Object.entries(potential)) {
       const [x, y] = place.split(',').map(Number)
       expect(found?.[y * run.problem.grid.width + x], place).toBe(Number(value))
@@ -92,7 +92,7 @@ describe('Fig. 6', () => {
 })
 
 describe('Fig. 7', () => {
-  const { repulsiveValue, influence, ...paths } = fig07.fields.potentialFieldMemory
+  const { repulsiveValue, influence, ...paths } = fig07.potentialFieldMemory
 
   test.each([
     ['manhattan', paths.manhattanRepulsion],
