@@ -13,8 +13,10 @@ export function sceneOf(state: State, isDark: boolean, frame: Frame | null): Sce
     theme: isDark ? darkTheme : lightTheme,
     plan: shown && { tape: shown.tape, frame: frame ?? shown.last },
     sensorRange: sensorRangeOf(shown?.setup ?? setup),
+    sight: 'both',
     showPotential: preferences.showPotential,
     cursor: cursorShown ? cursor : -1,
+    hovered: -1,
   }
 }
 

@@ -3,15 +3,15 @@ import { EVENT } from '../trace/events'
 import type { Frame } from '../trace/frame'
 import type { TapeColumns } from '../trace/tape'
 import { type CellPalette, freeColour, obstacleColour } from './cell-colour'
-import { heatLevel, type PotentialRange } from './heat'
+import { type FieldRange, heatLevel } from './heat'
 
 /** What the colours of cells depend on. */
 export interface CellStates {
   readonly walls: Uint8Array
   readonly frame: Frame | null
   readonly hasRover: boolean
-  /** `null` if potentials are not shown. */
-  readonly potentials: PotentialRange | null
+  /** Range of the field that was written last; `null` if fields are not shown. */
+  readonly fieldRange: FieldRange | null
 }
 
 /** The smallest box around the cells that were repainted; `right` and `bottom` lie outside it. */
@@ -35,14 +35,15 @@ function include(box: Box, x: number, y: number): void {
 
 /** The pixel of a cell. */
 export function cellPixel(states: CellStates, palette: CellPalette, cell: Cell): number {
-  const { walls, frame, hasRover, potentials } = states
+  const { walls, frame, hasRover, fieldRange } = states
   if (walls[cell]) {
     return frame
       ? obstacleColour(palette, hasRover, frame.known[cell], frame.felt[cell])
       : palette.obstacle
   }
   if (!frame) return palette.free
-  const heat = potentials && frame.potential ? heatLevel(potentials, frame.potential[cell]) : -1
+  const field = frame.field && frame.fields[frame.field]
+  const heat = field && fieldRange ? heatLevel(fieldRange, field[cell]) : -1
   return freeColour(palette, hasRover, frame.known[cell], frame.search[cell], heat)
 }
 
@@ -69,6 +70,8 @@ export function paintEvents(
       case EVENT.close:
       case EVENT.sense:
       case EVENT.feel:
+      case EVENT.attraction:
+      case EVENT.repulsion:
       case EVENT.potential: {
         const cell = tape.cells[i]
         if (cell < 0) break

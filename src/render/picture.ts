@@ -92,9 +92,10 @@ export class Picture {
     drawLines(context, place, theme)
     drawRims(context, place, problem.grid, (cell) => (isSeen(cell) ? theme.rim : theme.unsensedRim))
     if (frame) drawFelt(context, place, theme, problem.grid, frame.felt)
-    const { potentials } = this.#image
-    if (frame?.potential && potentials) {
-      drawPotentials(context, place, theme, problem.grid, frame.potential, potentials)
+    const { fieldRange } = this.#image
+    const field = frame?.field && frame.fields[frame.field]
+    if (field && fieldRange) {
+      drawPotentials(context, place, theme, problem.grid, field, fieldRange)
     }
   }
 

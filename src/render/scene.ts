@@ -10,6 +10,12 @@ export interface PlanMoment {
   readonly frame: Frame
 }
 
+/**
+ * What is shown of a planner with a rover: the world, with all obstacles and as if nothing had to be
+ * sensed; only what the rover knows, all else veiled; or both, one upon the other.
+ */
+export type Sight = 'both' | 'world' | 'known'
+
 /** All that the drawing of the map depends on, apart from where the map lies on the screen. */
 export interface Scene {
   readonly problem: Problem
@@ -18,10 +24,14 @@ export interface Scene {
   readonly plan: PlanMoment | null
   /** Cells that the rover senses around it; 0 for planners without a rover. */
   readonly sensorRange: number
+  /** It counts only for planners with a rover. */
+  readonly sight: Sight
   /** Whether potentials are shown, as a heat map and, in large cells, as numbers. */
   readonly showPotential: boolean
   /** The keyboard's cell; -1 if the map is not being used by keyboard. */
   readonly cursor: Cell
+  /** The cell that is asked about, by pointer or keyboard; -1 if none. */
+  readonly hovered: Cell
 }
 
 /** The plan; `null` as well if it was made for a map of another size, whose cells are not these. */
