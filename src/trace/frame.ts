@@ -58,7 +58,7 @@ export interface Frame {
   /** Cells walked by the rover or the agent, and the path found by a search. */
   readonly trail: Cell[]
   readonly path: Cell[]
-  /** Nodes of the latest local tangent graph. */
+  /** Nodes of the local tangent graph; it counts until an obstacle stops the rover or is left. */
   readonly nodes: Cell[]
   /** -1 while there is none; `felt` obstacle cells apart, `atSide` is the one at the rover's side now. */
   rover: Cell
@@ -187,6 +187,8 @@ function fold(frame: Frame, tape: TapeColumns, i: number): void {
     case EVENT.hit:
       frame.hits.push(cell)
       frame.following = true
+      frame.target = -1
+      frame.nodes.length = 0
       break
     case EVENT.turn:
       frame.turn = other
@@ -199,6 +201,7 @@ function fold(frame: Frame, tape: TapeColumns, i: number): void {
       frame.leaves.push(cell)
       frame.following = false
       frame.target = -1
+      frame.nodes.length = 0
       break
     case EVENT.scan:
       frame.nodes.length = 0
