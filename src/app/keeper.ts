@@ -1,37 +1,37 @@
 import type { State } from './state'
 import { type Shelf, savePreferences, saveSetup } from './storage'
+import type { Store } from './store'
+import { tell } from './transitions'
 
 const QUIET_MS = 400
 
+const REFUSED =
+  'This browser keeps nothing for the next visit: its storage is full or not allowed. Save the map to keep it.'
+
 /**
  * Keeps what is drawn for the next visit: a moment after the last change, and when the page goes.
- * Calls `refused` the first time that nothing can be kept.
+ * That nothing can be kept is said once.
  */
-export function keeper(
-  shelf: Shelf | null,
-  state: () => State,
-  refused: () => void,
-): (now: State, before: State) => void {
+export function keep(store: Store<State>, shelf: Shelf | null): void {
   let timer: ReturnType<typeof setTimeout> | undefined
-  let kept = state().committed
+  let kept = store.state.committed
   let hasRefused = false
 
-  const keep = () => {
+  const keepNow = () => {
     clearTimeout(timer)
-    timer = undefined
-    const { committed } = state()
+    const { committed } = store.state
     if (committed === kept) return
     kept = committed
     if (saveSetup(shelf, committed) || hasRefused) return
     hasRefused = true
-    refused()
+    store.update((state) => tell(state, 'note', REFUSED))
   }
-  window.addEventListener('pagehide', keep)
+  window.addEventListener('pagehide', keepNow)
 
-  return (now, before) => {
+  store.subscribe((now, before) => {
     if (now.preferences !== before.preferences) savePreferences(shelf, now.preferences)
     if (now.committed === before.committed) return
     clearTimeout(timer)
-    timer = setTimeout(keep, QUIET_MS)
-  }
+    timer = setTimeout(keepNow, QUIET_MS)
+  })
 }

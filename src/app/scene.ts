@@ -14,7 +14,8 @@ export function sceneOf(state: State, isDark: boolean, frame: Frame | null): Sce
     plan: shown && { tape: shown.tape, frame: frame ?? shown.last },
     sensorRange: sensorRangeOf(shown?.setup ?? setup),
     sight: 'both',
-    showPotential: preferences.showPotential,
+    // Where there is none, nothing need look for it in a long tape.
+    showPotential: preferences.showPotential && shown !== null && shown.last.field !== null,
     cursor: cursorShown ? cursor : -1,
     hovered: -1,
   }

@@ -31,7 +31,7 @@ export function beginWith(loaded: Loaded): Beginning {
       return {
         setup: firstSetup(),
         isFirstVisit: true,
-        message: `What was drawn before could not be read, so the page begins anew. ${loaded.message}`,
+        message: 'What was drawn before could not be read, so the page begins anew.',
       }
   }
 }

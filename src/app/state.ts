@@ -62,6 +62,8 @@ export interface State {
   readonly cursorShown: boolean
   readonly preferences: Preferences
   readonly messages: readonly Message[]
+  /** How many there have been; the next one's id is not that of any before. */
+  readonly messagesTold: number
   readonly said: Said
 }
 
@@ -81,6 +83,7 @@ export function initialState(setup: Setup, preferences: Preferences): State {
     cursorShown: false,
     preferences,
     messages: [],
+    messagesTold: 0,
     said: { text: '', withOutcome: false },
   }
 }

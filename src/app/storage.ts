@@ -63,7 +63,8 @@ export function setupFromText(text: string): Setup {
 function knownParams(params: Record<string, ParamSettings>): Record<string, ParamSettings> {
   const known: Record<string, ParamSettings> = {}
   for (const planner of planners) {
-    const settings = params[planner.id] ?? {}
+    const settings = params[planner.id]
+    if (!settings) continue
     known[planner.id] = Object.fromEntries(
       planner.params
         .filter((param) => param.name in settings && !faultOf(param, settings[param.name]))
@@ -76,7 +77,7 @@ function knownParams(params: Record<string, ParamSettings>): Record<string, Para
 export type Loaded =
   | { readonly kind: 'nothing' }
   | { readonly kind: 'setup'; readonly setup: Setup }
-  | { readonly kind: 'broken'; readonly message: string }
+  | { readonly kind: 'broken' }
 
 /** What was drawn when the page was last open. */
 export function loadSetup(shelf: Shelf | null): Loaded {
@@ -84,9 +85,8 @@ export function loadSetup(shelf: Shelf | null): Loaded {
   if (text === null) return { kind: 'nothing' }
   try {
     return { kind: 'setup', setup: setupFromText(text) }
-  } catch (error) {
-    const why = error instanceof Error ? error.message : String(error)
-    return { kind: 'broken', message: why }
+  } catch {
+    return { kind: 'broken' }
   }
 }
 

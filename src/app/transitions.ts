@@ -1,9 +1,9 @@
-import type { Cell } from '../grid/grid'
+import { type Cell, emptyGrid } from '../grid/grid'
 import { fitView, keepOnScreen, type Rect, type ScreenSize, type View } from '../render/view'
 import * as history from './history'
 import { roomForMap } from './layout/room'
 import type { Preferences } from './preferences'
-import type { Setup } from './setup'
+import { type Setup, withGrid } from './setup'
 import type { Message, Shown, State } from './state'
 
 // Transitions are pure: each makes the next state from the last one.
@@ -26,6 +26,8 @@ export function commit(state: State, text: string): State {
     history: history.remember(state.history, state.committed),
     committed: state.setup,
     said: { text, withOutcome: true },
+    // Who has changed something needs no greeting any more.
+    preferences: prefer(state, { hint: false }).preferences,
   }
 }
 
@@ -37,9 +39,29 @@ export function change(state: State, setup: Setup, text: string): State {
   return commit(edit(commit(state, ''), setup), text)
 }
 
-/** A change to another map, seen as a whole. */
-export const changeMap = (state: State, setup: Setup, text: string): State =>
-  fitToRoom(change(state, setup, text))
+export function clearObstacles(state: State): State {
+  const { width, height, walls } = state.setup.problem.grid
+  if (!walls.includes(1)) return say(state, 'There are no obstacles.')
+  const cleared = withGrid(state.setup, emptyGrid(width, height))
+  return change(state, cleared, 'All obstacles are cleared.')
+}
+
+/**
+ * Tries a change that may refuse what it is given. Then all stays as it was, and why is said.
+ */
+export function attempt(state: State, transition: (state: State) => State): State {
+  try {
+    return transition(state)
+  } catch (error) {
+    return tell(state, 'error', error instanceof Error ? error.message : String(error))
+  }
+}
+
+/** A change to another map, seen as a whole. Errors of earlier attempts to get one are over. */
+export function changeMap(state: State, setup: Setup, text: string): State {
+  const messages = state.messages.filter((message) => message.kind !== 'error')
+  return fitToRoom({ ...change(state, setup, text), messages })
+}
 
 export const undo = (state: State): State =>
   travel(state, history.undo, { done: 'Undone.', nothing: 'Nothing to undo.' })
@@ -148,9 +170,10 @@ const MOST_MESSAGES = 3
 
 /** A message on screen; the same one again takes the place of the first. */
 export function tell(state: State, kind: Message['kind'], text: string): State {
-  const id = Math.max(0, ...state.messages.map((message) => message.id)) + 1
+  const id = state.messagesTold + 1
   const others = state.messages.filter((message) => message.text !== text)
-  return { ...state, messages: [...others, { id, kind, text }].slice(-MOST_MESSAGES) }
+  const messages = [...others, { id, kind, text }].slice(-MOST_MESSAGES)
+  return { ...state, messages, messagesTold: id }
 }
 
 export const dismiss = (state: State, id: number): State => ({

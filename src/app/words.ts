@@ -28,10 +28,16 @@ export function outcomeInWords({ status, reason, path }: Outcome, width: number)
     case 'local-minimum':
       return `Stuck in a local minimum${where}`
     case 'dead-end':
-      return `Dead end${where}: ${reason}`
+      return `Dead end${where}`
     case 'loop':
       return `Loop: ${reason}`
   }
+}
+
+/** The rest of the story, as a sentence; empty where the words have told it already. */
+export function reasonInWords({ status, reason }: Outcome): string {
+  if (status === 'unreachable' || status === 'not-found' || status === 'loop') return ''
+  return `${reason.charAt(0).toUpperCase()}${reason.slice(1)}.`
 }
 
 /** Two digits that count; below the clock's resolution it says so. */

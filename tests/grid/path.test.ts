@@ -72,6 +72,11 @@ describe('measurePath', () => {
     expect(measure.length).toBeCloseTo(1 + Math.SQRT2 + Math.SQRT2 + 1, 12)
   })
 
+  test('a turn to either side is a turn, and so is turning back', () => {
+    // On a map 10 wide: E, NE, E, W.
+    expect(measurePath(10, [50, 51, 42, 43, 42]).turns).toBe(3)
+  })
+
   test('of one cell and of none', () => {
     expect(measurePath(10, [5])).toEqual({ cells: 1, length: 0, turns: 0 })
     expect(measurePath(10, [])).toEqual({ cells: 0, length: 0, turns: 0 })

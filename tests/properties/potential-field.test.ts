@@ -9,8 +9,9 @@ import { freeCells, isWall, placesOf, type World } from '../reference/world'
 function fieldNumber(index: number): Field {
   return {
     influence: [1, 0, 2, 1, 3, 5, 9][index % 7],
-    repulsiveValue: [30, 1, 200, 0, 7.5][index % 5],
-    repulsionDistance: index % 3 === 0 ? 'manhattan' : 'euclidean',
+    // With 2 and 6 many neighbours are equally low.
+    repulsiveValue: [30, 2, 200, 0, 7.5, 6][index % 6],
+    repulsionDistance: index % 5 < 2 ? 'manhattan' : 'euclidean',
   }
 }
 

@@ -3,7 +3,7 @@ import { byId, create, setText } from '../element'
 import { type NumberField, numberField } from '../panels/fields'
 import type { State } from '../state'
 import type { Store } from '../store'
-import { changeMap } from '../transitions'
+import { attempt, changeMap } from '../transitions'
 import { dialog, formOf } from './dialog'
 import { sizeFields } from './size-fields'
 
@@ -12,10 +12,7 @@ const nothing = () => {}
 const ignored = { edited: nothing, done: nothing }
 
 /** Binds the dialog of the map generators; returns what opens it. */
-export function generateDialog(
-  store: Store<State>,
-  attempt: (action: () => void) => void,
-): () => void {
+export function generateDialog(store: Store<State>): () => void {
   const element = dialog('generate-dialog')
   const form = formOf(element)
   const kind = byId('generate-kind', HTMLSelectElement)
@@ -77,15 +74,14 @@ export function generateDialog(
     const chosenSize = isValid ? size.check() : null
     const chosenSeed = seed.check()
     if (!chosenSize || chosenSeed === undefined) return event.preventDefault()
-    attempt(() =>
-      store.update((state) => {
-        const { diagonal } = state.setup.problem
-        const problem = generator.generate(chosenSize, values, chosenSeed, diagonal)
-        const { width, height } = chosenSize
-        const text = `${generator.title}, ${width} × ${height} cells, seed ${chosenSeed}.`
-        return changeMap(state, { ...state.setup, problem }, text)
-      }),
-    )
+    const { width, height } = chosenSize
+    const text = `${generator.title}, ${width} × ${height} cells, seed ${chosenSeed}.`
+    const generate = (state: State) => {
+      const { diagonal } = state.setup.problem
+      const problem = generator.generate(chosenSize, values, chosenSeed, diagonal)
+      return changeMap(state, { ...state.setup, problem }, text)
+    }
+    store.update((state) => attempt(state, generate))
   })
 
   return () => {

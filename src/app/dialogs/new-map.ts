@@ -2,18 +2,12 @@ import { byId } from '../element'
 import { emptyProblem, resizedProblem } from '../setup'
 import type { State } from '../state'
 import type { Store } from '../store'
-import { changeMap } from '../transitions'
+import { attempt, changeMap } from '../transitions'
 import { dialog, formOf } from './dialog'
 import { sizeFields } from './size-fields'
 
-/**
- * Binds the dialog for a new map; returns what opens it.
- * @param attempt runs what may refuse its input, and shows why
- */
-export function newMapDialog(
-  store: Store<State>,
-  attempt: (action: () => void) => void,
-): () => void {
+/** Binds the dialog for a new map; returns what opens it. */
+export function newMapDialog(store: Store<State>): () => void {
   const element = dialog('new-dialog')
   const form = formOf(element)
   const size = sizeFields('new')
@@ -24,16 +18,15 @@ export function newMapDialog(
     if (!chosen) return event.preventDefault()
     const { width, height } = chosen
     const keep = new FormData(form).get('keep') === 'keep'
-    attempt(() =>
-      store.update((state) => {
-        const { problem } = state.setup
-        const made = keep
-          ? resizedProblem(problem, width, height)
-          : emptyProblem(width, height, problem.diagonal)
-        const text = `A map of ${width} × ${height} cells.`
-        return changeMap(state, { ...state.setup, problem: made }, text)
-      }),
-    )
+    const text = `A map of ${width} × ${height} cells.`
+    const create = (state: State) => {
+      const { problem } = state.setup
+      const made = keep
+        ? resizedProblem(problem, width, height)
+        : emptyProblem(width, height, problem.diagonal)
+      return changeMap(state, { ...state.setup, problem: made }, text)
+    }
+    store.update((state) => attempt(state, create))
   })
 
   return () => {

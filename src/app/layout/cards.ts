@@ -1,11 +1,16 @@
 import type { Rect } from '../../render/view'
 
 /** Below this width of the window the cards lie at its bottom, one open at a time. */
-export const NARROW = '(max-width: 640px)'
+const NARROW = '(max-width: 640px)'
+/** Below this one of either side they begin folded, so that the map can be seen. */
+const SMALL = '(max-width: 640px), (max-height: 560px)'
 
 const KEY_STEP = 16
 const LARGE_KEY_STEP = 96
-const KEPT_ON_SCREEN = 44
+/** How much of a card always stays on the screen: its header. */
+const HEADER = 48
+const LEAST_HEIGHT = 160
+const EDGE = 12
 
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowLeft: [-1, 0],
@@ -23,6 +28,8 @@ export class Cards {
   /** All that covers the map: the cards, and what floats but does not move. */
   readonly #covers: readonly HTMLElement[]
   readonly #narrow = window.matchMedia(NARROW)
+  readonly #small = window.matchMedia(SMALL)
+  #highest = 10
   readonly #changed: (byUser: boolean) => void
 
   constructor(root: ParentNode, changed: (byUser: boolean) => void) {
@@ -32,7 +39,9 @@ export class Cards {
     for (const card of this.#cards) this.#bind(card)
     const observer = new ResizeObserver(() => changed(false))
     for (const cover of this.#covers) observer.observe(cover)
-    this.#narrow.addEventListener('change', () => this.#rearrange())
+    for (const media of [this.#narrow, this.#small]) {
+      media.addEventListener('change', () => this.#rearrange())
+    }
     this.#rearrange()
   }
 
@@ -58,8 +67,22 @@ export class Cards {
       this.#fold(card, isOpen)
       if (!isOpen && this.#narrow.matches) this.#foldOthers(card)
     })
+    // A finger hits the whole bar more easily than the button at its end.
+    grip?.addEventListener('click', ({ target }) => {
+      const isButton = target instanceof Element && target.closest('button')
+      if (this.#narrow.matches && !isButton) fold?.click()
+    })
     handle?.addEventListener('keydown', (event) => this.#handleKey(event, card))
+    for (const touch of ['pointerdown', 'focusin']) {
+      card.addEventListener(touch, () => this.#raise(card))
+    }
     if (grip) this.#dragBy(grip, card)
+  }
+
+  /** The card that was used last lies on the others. */
+  #raise(card: HTMLElement): void {
+    this.#highest++
+    card.style.zIndex = String(this.#highest)
   }
 
   #handleKey(event: KeyboardEvent, card: HTMLElement): void {
@@ -101,19 +124,20 @@ export class Cards {
   }
 
   #moveBy(card: HTMLElement, dx: number, dy: number): void {
-    if (dx === 0 && dy === 0 && !card.dataset.moved) return
-    const { left, top, width, height } = card.getBoundingClientRect()
-    const within = (value: number, size: number, room: number) =>
-      Math.max(Math.min(0, room - size), Math.min(value, Math.max(0, room - size)))
+    const { left, top, width } = card.getBoundingClientRect()
+    const within = (value: number, most: number) => Math.max(0, Math.min(value, most))
+    const newTop = within(top + dy, window.innerHeight - HEADER)
     if (!card.dataset.moved) card.style.width = `${width}px`
     card.dataset.moved = 'true'
-    card.style.left = `${within(left + dx, width, window.innerWidth)}px`
-    card.style.top = `${within(top + dy, Math.max(KEPT_ON_SCREEN, height), window.innerHeight)}px`
+    card.style.left = `${within(left + dx, window.innerWidth - width)}px`
+    card.style.top = `${newTop}px`
+    card.style.maxHeight = `${Math.max(LEAST_HEIGHT, window.innerHeight - newTop - EDGE)}px`
   }
 
   #putBack(card: HTMLElement): void {
     delete card.dataset.moved
-    for (const property of ['left', 'top', 'width']) card.style.removeProperty(property)
+    for (const property of ['left', 'top', 'width', 'max-height'])
+      card.style.removeProperty(property)
   }
 
   #fold(card: HTMLElement, folded: boolean): void {
@@ -129,11 +153,10 @@ export class Cards {
     }
   }
 
-  /** A narrow window begins with folded cards, so that the map can be seen. */
   #rearrange(): void {
     for (const card of this.#cards) {
       this.#putBack(card)
-      if (card.classList.contains('panel')) this.#fold(card, this.#narrow.matches)
+      if (card.classList.contains('panel')) this.#fold(card, this.#small.matches)
     }
   }
 }

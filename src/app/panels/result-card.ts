@@ -1,8 +1,9 @@
 import { byId, create, setText } from '../element'
 import { type IconName, setIcon } from '../icons'
+import type { Planning } from '../planning'
 import { plannerOf } from '../setup'
 import type { State } from '../state'
-import { outcomeInWords, outcomeNumbers, type Row, toneOf } from '../words'
+import { outcomeInWords, outcomeNumbers, type Row, reasonInWords, toneOf } from '../words'
 
 interface Report {
   readonly tone: IconName
@@ -37,21 +38,13 @@ export function reportOf({ run, shown, pathHidden, setup }: State): Report {
   return {
     tone: toneOf(outcome.status),
     words: outcomeInWords(outcome, shown.tape.width),
-    detail: detailOf(outcome.reason),
+    detail: reasonInWords(outcome),
     rows: outcomeNumbers(outcome, milliseconds, planner.family),
   }
 }
 
-const detailOf = (reason: string): string =>
-  `${reason.charAt(0).toUpperCase()}${reason.slice(1).replace(/\.$/, '')}.`
-
-export interface ResultActions {
-  cancel(): void
-  planAgain(): void
-}
-
 /** Binds the result card; returns what shows a state in it. */
-export function resultCard(actions: ResultActions): (state: State) => void {
+export function resultCard(planning: Planning): (state: State) => void {
   const card = byId('result', HTMLElement)
   const words = byId('result-words', HTMLHeadingElement)
   const detail = byId('result-detail', HTMLParagraphElement)
@@ -61,9 +54,8 @@ export function resultCard(actions: ResultActions): (state: State) => void {
   const table = byId('result-numbers', HTMLTableElement)
   const sign = card.querySelector<SVGSVGElement>('#result-icon')
   const bar = progress.querySelector<HTMLElement>('[role=progressbar]')
-  const determinate = progress.querySelector<HTMLElement>('.determinate')
-  cancel.addEventListener('click', actions.cancel)
-  again.addEventListener('click', actions.planAgain)
+  cancel.addEventListener('click', planning.cancel)
+  again.addEventListener('click', planning.ask)
 
   return (state) => {
     const report = reportOf(state)
@@ -73,15 +65,25 @@ export function resultCard(actions: ResultActions): (state: State) => void {
     if (sign) setIcon(sign, report.tone)
     setText(words, report.words)
     setText(detail, report.detail)
+    detail.hidden = report.detail === ''
     progress.hidden = !isSlow
     if (run.kind === 'running') {
-      const percent = Math.round(run.done * 100)
-      bar?.setAttribute('aria-valuenow', String(percent))
-      if (determinate) determinate.style.width = `${percent}%`
+      showProgress(bar, run.done)
     }
     again.hidden = run.kind !== 'cancelled' && run.kind !== 'failed'
     showRows(table, report.rows)
   }
+}
+
+/** A planner that has not said yet how far it is gets a bar that only moves. */
+function showProgress(bar: HTMLElement | null, done: number): void {
+  const filling = bar?.firstElementChild
+  if (!bar || !(filling instanceof HTMLElement)) return
+  const percent = Math.round(done * 100)
+  filling.className = percent > 0 ? 'determinate' : 'indeterminate'
+  filling.style.width = percent > 0 ? `${percent}%` : ''
+  if (percent > 0) bar.setAttribute('aria-valuenow', String(percent))
+  else bar.removeAttribute('aria-valuenow')
 }
 
 function showRows(table: HTMLTableElement, rows: readonly Row[]): void {

@@ -35,7 +35,8 @@ export function bindInput(
 
   on('pointerdown', (event) => {
     const button = BUTTONS[event.button]
-    if (button === undefined) return
+    // A press beside an open menu only closes it.
+    if (button === undefined || document.querySelector(':popover-open')) return
     // Without this the middle button scrolls and a press selects text.
     event.preventDefault()
     host.focus({ preventScroll: true })
@@ -44,7 +45,8 @@ export function bindInput(
     hand.press({ id: event.pointerId, place: placeOf(event), button, isTouch })
   })
   on('pointermove', (event) => {
-    const events = event.getCoalescedEvents()
+    // Not every browser has it.
+    const events = event.getCoalescedEvents?.() ?? []
     hand.move(event.pointerId, (events.length > 0 ? events : [event]).map(placeOf))
     if (!hand.isBusy) host.dataset.grip = gripUnder(store.state, placeOf(event))
   })

@@ -63,20 +63,22 @@ export class Hand {
 
   /** @param completed false if the pointer was taken away, by the system or by a gesture */
   release(id: number, completed: boolean): void {
-    this.#fingers.delete(id)
-    if (this.#fingers.size < 2) this.#pinch = null
-    if (this.#tool?.id !== id) return
-    const { tool } = this.#tool
-    this.#tool = null
-    if (completed) tool.end()
-    else tool.cancel()
+    if (this.#fingers.delete(id)) this.#pinch = null
+    if (this.#tool?.id === id) this.#endTool(completed)
   }
 
   /** Breaks off what is under way; returns whether there was anything. */
   cancel(): boolean {
     if (!this.#tool) return false
-    this.release(this.#tool.id, false)
+    this.#endTool(false)
     return true
+  }
+
+  #endTool(completed: boolean): void {
+    const tool = this.#tool?.tool
+    this.#tool = null
+    if (completed) tool?.end()
+    else tool?.cancel()
   }
 
   #cellAt(place: Point): Cell {

@@ -23,7 +23,7 @@ export function openMap(text: string): OpenedMap {
   const content = text.charCodeAt(0) === 0xfeff ? text.slice(1) : text
   const beginning = content.trimStart().slice(0, 100)
   if (beginning === '') throw new InputError('The file is empty.')
-  if (beginning.startsWith('{')) return openJson(parseJson(content))
+  if (beginning.startsWith('{')) return openJson(Object(parseJson(content)))
   if (/^[#.SG]{2}/.test(beginning)) {
     checkLength(content, MAX_TEXT_MAP_LENGTH)
     return { problem: problemFromText(content), notes: [] }
@@ -34,14 +34,12 @@ export function openMap(text: string): OpenedMap {
   )
 }
 
-function openJson(value: unknown): OpenedMap {
-  const has = (key: string) => Object.hasOwn(Object(value), key)
-  if (has('format')) {
-    const { format } = value as { format: unknown }
-    if (format === FORMAT) return readProject(value)
-    throw new InputError(`The "format" of this file is ${describe(format)}, not "${FORMAT}".`)
+function openJson(value: object): OpenedMap {
+  if ('format' in value) {
+    if (value.format === FORMAT) return readProject(value)
+    throw new InputError(`The "format" of this file is ${describe(value.format)}, not "${FORMAT}".`)
   }
-  if (has('wall_map')) return readOriginal(value)
+  if ('wall_map' in value) return readOriginal(value)
   throw new InputError(
     `This JSON file is no map of Path Planner: it has neither "format": "${FORMAT}" nor a "wall_map".`,
   )

@@ -93,6 +93,14 @@ describe('every room', () => {
   })
 })
 
+test('the longer side is divided first', () => {
+  for (let seed = 0; seed < 50; seed++) {
+    const rows = gridToRows(make('rooms', { width: 60, height: 20 }, { room: 9 }, seed).grid)
+    for (const row of rows) expect(row.replaceAll('.', '').length).toBeLessThan(59)
+    expect(rows.filter((row) => row.includes('#')).length).toBeGreaterThanOrEqual(19)
+  }
+})
+
 test('a map too small to divide stays one room', () => {
   const [{ default: usual }] = byId('rooms').params
   const side = 2 * usual

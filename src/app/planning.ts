@@ -1,0 +1,53 @@
+import { planningWorker } from './planning-worker'
+import { Solver } from './solver'
+import type { State } from './state'
+import type { Store } from './store'
+import {
+  planArrived,
+  planCancelled,
+  planFailed,
+  planIsSlow,
+  planProgressed,
+  planStarted,
+} from './transitions'
+
+const SLOW_AFTER_MS = 200
+
+export interface Planning {
+  /** Asks for a plan for the setup on screen. */
+  ask(): void
+  cancel(): void
+  /** To be called in every frame while a plan is worked on. */
+  tick(): void
+}
+
+/** Joins the solver to the state: every new setup is planned, and what comes of it is shown. */
+export function planningFor(store: Store<State>): Planning {
+  const solver = new Solver(planningWorker, () => performance.now(), {
+    started: () => store.update(planStarted),
+    progressed: (done) => store.update((state) => planProgressed(state, done)),
+    arrived({ setup, instant }, { outcome, tape, last, milliseconds }) {
+      const shown = { setup, instant, outcome, tape, last, milliseconds }
+      store.update((state) => planArrived(state, shown))
+    },
+    failed: ({ setup }, message) => store.update((state) => planFailed(state, setup, message)),
+  })
+  const ask = () => {
+    const { setup, committed } = store.state
+    solver.ask({ setup, instant: setup !== committed })
+  }
+  store.subscribe((now, before) => {
+    if (now.setup !== before.setup) ask()
+  })
+  return {
+    ask,
+    cancel() {
+      solver.cancel()
+      store.update(planCancelled)
+    },
+    tick() {
+      solver.tick()
+      if (solver.elapsed > SLOW_AFTER_MS) store.update(planIsSlow)
+    },
+  }
+}

@@ -1,0 +1,32 @@
+import { plan } from '../../src/algorithms/plan'
+import { defaultPreferences } from '../../src/app/preferences'
+import type { Setup } from '../../src/app/setup'
+import { settingsOf } from '../../src/app/setup'
+import { initialState, type Shown, type State } from '../../src/app/state'
+import { problemFromText } from '../../src/grid/text-map'
+import { frameAt } from '../../src/trace/frame'
+import { Tape } from '../../src/trace/tape'
+
+export function setupFrom(text: string, plannerId = 'decomposition'): Setup {
+  return { problem: problemFromText(text), plannerId, params: {}, seed: 1 }
+}
+
+/** A state whose cells are 40 pixels wide, the first at the top left of the screen. */
+export function stateFrom(text: string): State {
+  const state = initialState(setupFrom(text), defaultPreferences)
+  return { ...state, view: { scale: 40, left: 0, top: 0 }, screen: { width: 800, height: 600 } }
+}
+
+/** What the worker would answer. */
+export function planned(setup: Setup): Shown {
+  const tape = new Tape()
+  const { problem, plannerId, seed } = setup
+  const outcome = plan(problem, plannerId, { params: settingsOf(setup), seed, tape })
+  const last = frameAt(tape, tape.length)
+  return { setup, outcome, tape, last, milliseconds: 1, instant: false }
+}
+
+/** The cells that are obstacles. */
+export function obstaclesOf({ problem }: Setup): number[] {
+  return [...problem.grid.walls.keys()].filter((cell) => problem.grid.walls[cell] === 1)
+}
