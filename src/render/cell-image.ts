@@ -3,7 +3,7 @@ import type { TapeColumns } from '../trace/tape'
 import { type CellPalette, cellPalette } from './cell-colour'
 import { type FieldRange, fieldRange } from './heat'
 import { type Box, emptyBox, paintCells, paintEdits, paintEvents } from './paint-cells'
-import { hasRover, planOnMap, type Scene } from './scene'
+import { planOnMap, type Scene, type Sight, sightOf } from './scene'
 import type { Theme } from './theme'
 
 /** What an image was painted from. The frame is not kept: it changes under the same name. */
@@ -14,7 +14,7 @@ interface Painted {
   readonly theme: Theme
   readonly tape: TapeColumns | null
   readonly time: number
-  readonly hasRover: boolean
+  readonly sight: Sight
   /** The field on show. */
   readonly field: Field | null
 }
@@ -26,7 +26,7 @@ function paintedFrom(scene: Scene): Painted {
   const tape = plan?.tape ?? null
   const time = plan?.frame.time ?? 0
   const field = scene.showPotential && plan ? plan.frame.field : null
-  return { width, height, walls, theme, tape, time, hasRover: hasRover(scene), field }
+  return { width, height, walls, theme, tape, time, sight: sightOf(scene), field }
 }
 
 /** Whether `now` differs from `before` only by later events and edited walls. */
@@ -37,7 +37,7 @@ function onlyAdds(before: Painted, now: Painted): boolean {
     now.theme === before.theme &&
     now.tape === before.tape &&
     now.time >= before.time &&
-    now.hasRover === before.hasRover &&
+    now.sight === before.sight &&
     now.field === before.field
   )
 }
@@ -65,7 +65,7 @@ export class CellImage {
     const states = {
       walls: now.walls,
       frame: planOnMap(scene)?.frame ?? null,
-      hasRover: now.hasRover,
+      sight: now.sight,
       fieldRange: this.fieldRange,
     }
 

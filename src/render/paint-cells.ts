@@ -4,12 +4,14 @@ import type { Frame } from '../trace/frame'
 import type { TapeColumns } from '../trace/tape'
 import { type CellPalette, freeColour, obstacleColour } from './cell-colour'
 import { type FieldRange, heatLevel } from './heat'
+import { isKnownObstacle } from './known-obstacles'
+import type { Sight } from './scene'
 
 /** What the colours of cells depend on. */
 export interface CellStates {
   readonly walls: Uint8Array
   readonly frame: Frame | null
-  readonly hasRover: boolean
+  readonly sight: Sight
   /** Range of the field that was written last; `null` if fields are not shown. */
   readonly fieldRange: FieldRange | null
 }
@@ -35,16 +37,14 @@ function include(box: Box, x: number, y: number): void {
 
 /** The pixel of a cell. */
 export function cellPixel(states: CellStates, palette: CellPalette, cell: Cell): number {
-  const { walls, frame, hasRover, fieldRange } = states
-  if (walls[cell]) {
-    return frame
-      ? obstacleColour(palette, hasRover, frame.known[cell], frame.felt[cell])
-      : palette.obstacle
+  const { walls, frame, sight, fieldRange } = states
+  if (!frame) return walls[cell] ? palette.obstacle : palette.free
+  if (sight === 'known' ? isKnownObstacle(walls, frame, cell) : walls[cell]) {
+    return obstacleColour(palette, sight, frame.known[cell], frame.felt[cell])
   }
-  if (!frame) return palette.free
   const field = frame.field && frame.fields[frame.field]
   const heat = field && fieldRange ? heatLevel(fieldRange, field[cell]) : -1
-  return freeColour(palette, hasRover, frame.known[cell], frame.search[cell], heat)
+  return freeColour(palette, sight, frame.known[cell], frame.search[cell], heat)
 }
 
 /** Paints every cell, one pixel each, row by row. */

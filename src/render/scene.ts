@@ -40,7 +40,7 @@ export function planOnMap({ problem, plan }: Scene): PlanMoment | null {
   return plan?.tape.width === width && plan.tape.height === height ? plan : null
 }
 
-/** Whether a plan is on show that knows only what its rover has sensed. */
-export function hasRover(scene: Scene): boolean {
-  return scene.sensorRange > 0 && planOnMap(scene) !== null
+/** What is shown of the map: the world, unless a planner with a rover is on show. */
+export function sightOf(scene: Scene): Sight {
+  return scene.sensorRange > 0 && planOnMap(scene) ? scene.sight : 'world'
 }
