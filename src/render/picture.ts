@@ -85,7 +85,7 @@ export class Picture {
     if (plan?.tape !== this.#edgesTape || edges.length !== this.#edges) {
       this.#edgesTape = plan?.tape
       this.#edges = edges.length
-      this.#lines = edges.length > 0 ? edgeLines(place.columns, place.rows, edges) : []
+      this.#lines = edgeLines(place.columns, place.rows, edges)
     }
     if (!this.#roadmap.isOutdated([...ground, this.#lines])) return
     this.#roadmap.clear()
