@@ -2,7 +2,7 @@ import { EVENT } from './events'
 import type { TapeColumns } from './tape'
 
 /** Events that tell more of the event before them, so that no step ends between the two. */
-const ATTACHED: ReadonlySet<number> = new Set([
+export const ATTACHED: ReadonlySet<number> = new Set([
   EVENT.turn,
   EVENT.feel,
   EVENT.sense,

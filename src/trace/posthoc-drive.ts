@@ -1,0 +1,82 @@
+import type { Cell } from '../grid/grid'
+import { EVENT } from './events'
+import type { PosthocLines } from './posthoc-lines'
+
+const BORDER = '"the border of the map"'
+
+/**
+ * The events of a rover or an agent, as Posthoc's. A rover comes to a cell more than once, so each
+ * step has an `id` of its own and the step before as `pId`. What the rover does at a step has the
+ * step's `id`; what it learns there of other cells has theirs, and the step as `pId`.
+ */
+export class PosthocDrive {
+  readonly #lines: PosthocLines
+  #steps = 0
+  /** The latest cell of the m-line. */
+  #mLine = -1
+
+  constructor(lines: PosthocLines) {
+    this.#lines = lines
+  }
+
+  get hasBegun(): boolean {
+    return this.#steps > 0
+  }
+
+  write(kind: number, cell: Cell, other: number, value: number): void {
+    const lines = this.#lines
+    const step = this.#steps > 0 ? `step ${this.#steps - 1}` : null
+    switch (kind) {
+      case EVENT.step:
+        this.#steps++
+        this.#here('step', cell)
+        break
+      case EVENT.sense:
+        lines.cell('sense', cell, step).tell('obstacle', String(other === 1))
+        break
+      case EVENT.target:
+        if (cell < 0) this.#here('no-target', -1)
+        else lines.cell('target', cell, step).tellNumber('distance', value)
+        break
+      case EVENT.mLine:
+        lines.cell('m-line', cell, lines.idIfKnown(this.#mLine))
+        this.#mLine = cell
+        break
+      case EVENT.hit:
+        this.#here('hit', cell).tellNumber('number', value)
+        if (other < 0) lines.tell('obstacle', BORDER)
+        else lines.tellPlace('obstacleX', 'obstacleY', other)
+        break
+      case EVENT.feel:
+        if (cell < 0) this.#here('feel', -1).tell('obstacle', BORDER)
+        else lines.cell('feel', cell, step)
+        break
+      case EVENT.around:
+        this.#here('around', cell).tellNumber('steps', value)
+        break
+      case EVENT.leave:
+        this.#here('leave', cell).tellNumber('number', value)
+        break
+      case EVENT.loop:
+        this.#here('loop', cell).tellNumber('since', value)
+        break
+      case EVENT.scan:
+        this.#here('scan', cell)
+        break
+      case EVENT.node:
+        lines.cell('node', cell, step).tellNumber('distance', value)
+        break
+    }
+  }
+
+  end(cell: Cell): void {
+    this.#here('end', cell)
+  }
+
+  /** An event at the step where the rover is; before the first one, at none. */
+  #here(type: string, cell: Cell): PosthocLines {
+    const before = this.#steps > 1 ? `step ${this.#steps - 2}` : null
+    const id = this.#steps > 0 ? `step ${this.#steps - 1}` : type
+    return this.#lines.begin(type, id, before, cell)
+  }
+}
