@@ -2,8 +2,6 @@ import type { Cell } from '../grid/grid'
 import { EVENT } from './events'
 import type { PosthocLines } from './posthoc-lines'
 
-const BORDER = '"the border of the map"'
-
 /**
  * The events of a rover or an agent, as Posthoc's. A rover comes to a cell more than once, so each
  * step has an `id` of its own and the step before as `pId`. What the rover does at a step has the
@@ -12,6 +10,7 @@ const BORDER = '"the border of the map"'
 export class PosthocDrive {
   readonly #lines: PosthocLines
   #steps = 0
+  #rover = -1
   /** The latest cell of the m-line. */
   #mLine = -1
 
@@ -29,13 +28,14 @@ export class PosthocDrive {
     switch (kind) {
       case EVENT.step:
         this.#steps++
-        this.#here('step', cell)
+        this.#rover = cell
+        this.#here('step')
         break
       case EVENT.sense:
         lines.cell('sense', cell, step).tell('obstacle', String(other === 1))
         break
       case EVENT.target:
-        if (cell < 0) this.#here('no-target', -1)
+        if (cell < 0) this.#here('no-target')
         else lines.cell('target', cell, step).tellNumber('distance', value)
         break
       case EVENT.mLine:
@@ -43,25 +43,25 @@ export class PosthocDrive {
         this.#mLine = cell
         break
       case EVENT.hit:
-        this.#here('hit', cell).tellNumber('number', value)
-        if (other < 0) lines.tell('obstacle', BORDER)
+        this.#here('hit').tellNumber('number', value)
+        if (other < 0) lines.tell('obstacle', '"the border of the map"')
         else lines.tellPlace('obstacleX', 'obstacleY', other)
         break
       case EVENT.feel:
-        if (cell < 0) this.#here('feel', -1).tell('obstacle', BORDER)
+        if (cell < 0) this.#here('feel-border')
         else lines.cell('feel', cell, step)
         break
       case EVENT.around:
-        this.#here('around', cell).tellNumber('steps', value)
+        this.#here('around').tellNumber('steps', value)
         break
       case EVENT.leave:
-        this.#here('leave', cell).tellNumber('number', value)
+        this.#here('leave').tellNumber('number', value)
         break
       case EVENT.loop:
-        this.#here('loop', cell).tellNumber('since', value)
+        this.#here('loop').tellNumber('since', value)
         break
       case EVENT.scan:
-        this.#here('scan', cell)
+        this.#here('scan')
         break
       case EVENT.node:
         lines.cell('node', cell, step).tellNumber('distance', value)
@@ -69,14 +69,14 @@ export class PosthocDrive {
     }
   }
 
-  end(cell: Cell): void {
-    this.#here('end', cell)
+  end(): void {
+    this.#here('end')
   }
 
-  /** An event at the step where the rover is; before the first one, at none. */
-  #here(type: string, cell: Cell): PosthocLines {
+  /** An event at the step and in the place where the rover is; before the first step, at none. */
+  #here(type: string): PosthocLines {
     const before = this.#steps > 1 ? `step ${this.#steps - 2}` : null
     const id = this.#steps > 0 ? `step ${this.#steps - 1}` : type
-    return this.#lines.begin(type, id, before, cell)
+    return this.#lines.begin(type, id, before, this.#rover)
   }
 }

@@ -67,7 +67,7 @@ function writeEvents(lines: PosthocLines, tape: TapeColumns, info: PosthocInfo):
       lines.begin('phase', `phase ${other + 1}`, null, -1)
       lines.tell('name', JSON.stringify(info.phases[other] ?? ''))
     } else if (kind === EVENT.end) {
-      if (drive.hasBegun) drive.end(cell)
+      if (drive.hasBegun) drive.end()
       else search.end(cell)
       lines.tell('status', JSON.stringify(STATUSES[other]))
     } else {
