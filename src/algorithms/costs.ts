@@ -31,9 +31,13 @@ export function costOfRank(cost: Cost, rank: number): number {
   return cost === 'cells' ? Math.floor(rank / MORE_THAN_ANY_PATH) : rank
 }
 
-/** The rank of the simplest path between two cells. */
-export function rankOfSimplestPath(cost: Cost, width: number, a: Cell, b: Cell): number {
-  const across = Math.abs((a % width) - (b % width))
-  const down = Math.abs(Math.floor(a / width) - Math.floor(b / width))
-  return rank(cost, Math.max(across, down), Math.min(across, down))
+/** Ranks the simplest path between two cells of a map `width` cells wide. */
+export function simplestPathRanks(cost: Cost, width: number): (a: Cell, b: Cell) => number {
+  return (a, b) => {
+    const aboveA = Math.floor(a / width)
+    const aboveB = Math.floor(b / width)
+    const across = Math.abs(a - aboveA * width - (b - aboveB * width))
+    const down = Math.abs(aboveA - aboveB)
+    return across > down ? rank(cost, across, down) : rank(cost, down, across)
+  }
 }

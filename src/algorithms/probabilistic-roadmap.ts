@@ -5,13 +5,7 @@ import { EVENT } from '../trace/events'
 import { ClearRuns } from './clear-runs'
 import { costParam } from './costs'
 import { offlinePlanner } from './planner'
-import {
-  type Roadmap,
-  roadmapPhases,
-  roadmapPseudocode,
-  searchRoadmap,
-  type VisitNeighbour,
-} from './roadmap'
+import { edgeTo, type Roadmap, roadmapPhases, roadmapPseudocode, searchRoadmap } from './roadmap'
 
 const { text, line } = roadmapPseudocode({
   vertices: 'random free cells',
@@ -82,13 +76,15 @@ function sampleFreeCells(problem: Problem, count: number, random: () => number):
 
 function pairwiseRoadmap(problem: Problem, vertices: Int32Array): Roadmap {
   const runs = new ClearRuns(problem)
-  const eachNeighbour = (vertex: number, visit: VisitNeighbour): void => {
+  const edgesOf = (vertex: number, edges: Int32Array): number => {
     const cell = vertices[vertex]
+    let count = 0
     for (let other = 0; other < vertices.length; other++) {
       if (other === vertex) continue
-      if (runs.isFree(cell, vertices[other])) visit(other, true)
-      else if (runs.isFree(vertices[other], cell)) visit(other, false)
+      if (runs.isFree(cell, vertices[other])) edges[count++] = edgeTo(other, 1)
+      else if (runs.isFree(vertices[other], cell)) edges[count++] = edgeTo(other, 0)
     }
+    return count
   }
-  return { vertices, eachNeighbour }
+  return { vertices, edgesOf }
 }

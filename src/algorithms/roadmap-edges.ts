@@ -5,8 +5,8 @@ import { simplestStep } from '../grid/simplest-path'
 import { allLegalSteps } from '../grid/steps'
 import { EVENT } from '../trace/events'
 import type { Tape } from '../trace/tape'
-import { type Cost, costOfRank, rankOfSimplestPath } from './costs'
-import type { Roadmap } from './roadmap'
+import { type Cost, costOfRank, simplestPathRanks } from './costs'
+import { isOutward, otherEnd, type Roadmap, roomForEdges } from './roadmap'
 
 /** With more vertices the pairs without an edge are too many to show one by one. */
 const MOST_VERTICES_WITH_REFUSALS = 256
@@ -22,20 +22,23 @@ const INWARD = 2
  */
 export function recordEdges(roadmap: Roadmap, problem: Problem, cost: Cost, tape: Tape): void {
   const { vertices } = roadmap
-  const { width } = problem.grid
   const firstRefusal = refusals(problem)
   const withRefusals = vertices.length <= MOST_VERTICES_WITH_REFUSALS
   const pairs = new Uint8Array(vertices.length)
   const joined: number[] = []
+  const edges = roomForEdges(roadmap)
+  const rankOf = simplestPathRanks(cost, problem.grid.width)
   tape.write(EVENT.phase, -1, 1)
   for (let vertex = 0; vertex < vertices.length; vertex++) {
     const from = vertices[vertex]
     joined.length = 0
-    roadmap.eachNeighbour(vertex, (other, outward) => {
-      if (other <= vertex || pairs[other] !== REFUSED) return
-      pairs[other] = outward ? OUTWARD : INWARD
+    const count = roadmap.edgesOf(vertex, edges)
+    for (let i = 0; i < count; i++) {
+      const other = otherEnd(edges[i])
+      if (other <= vertex || pairs[other] !== REFUSED) continue
+      pairs[other] = isOutward(edges[i]) ? OUTWARD : INWARD
       joined.push(other)
-    })
+    }
     if (withRefusals) {
       joined.length = 0
       for (let other = vertex + 1; other < vertices.length; other++) joined.push(other)
@@ -44,7 +47,7 @@ export function recordEdges(roadmap: Roadmap, problem: Problem, cost: Cost, tape
       const to = vertices[other]
       if (pairs[other] === REFUSED) tape.write(EVENT.refuse, from, to, firstRefusal(from, to))
       else {
-        const weight = costOfRank(cost, rankOfSimplestPath(cost, width, from, to))
+        const weight = costOfRank(cost, rankOf(from, to))
         if (pairs[other] === OUTWARD) tape.write(EVENT.edge, from, to, weight)
         else tape.write(EVENT.edge, to, from, weight)
       }

@@ -4,24 +4,33 @@ import type { Problem } from '../grid/problem'
 import { simplestPath } from '../grid/simplest-path'
 import { EVENT, type Status } from '../trace/events'
 import type { Tape } from '../trace/tape'
-import { type Cost, costOfRank, rankOfSimplestPath } from './costs'
+import { type Cost, costOfRank, simplestPathRanks } from './costs'
 import type { Answer } from './planner'
 import { pseudocode } from './pseudocode'
 import { recordEdges } from './roadmap-edges'
-
-/**
- * Called with the place in `vertices` of a joined vertex. `outward` tells which simplest path is
- * known to be free: the one to that vertex, or else the one back from it.
- */
-export type VisitNeighbour = (other: number, outward: boolean) => void
 
 /** A graph over some of the map's free cells, joined where a simplest path between them is free. */
 export interface Roadmap {
   /** The cells that are vertices, each once, start and goal among them. */
   readonly vertices: Int32Array
-  /** Visits each vertex joined to that one; some perhaps twice. */
-  eachNeighbour(vertex: number, visit: VisitNeighbour): void
+  /**
+   * Writes the edges of a vertex, named by its place in `vertices`, into the array and returns
+   * their number. Each is an `edgeTo`; a vertex may stand there twice, once for each way round.
+   */
+  edgesOf(vertex: number, edges: Int32Array): number
 }
+
+/**
+ * An edge to the vertex `other`. `outward` tells which simplest path is known to be free: the one
+ * to that vertex (1), or else the one back from it (0).
+ */
+export const edgeTo = (other: number, outward: 0 | 1): number => (other << 1) | outward
+export const otherEnd = (edge: number): number => edge >> 1
+export const isOutward = (edge: number): boolean => (edge & 1) === 1
+
+/** Room for all that `edgesOf` may write. */
+export const roomForEdges = ({ vertices }: Roadmap): Int32Array =>
+  new Int32Array(2 * vertices.length)
 
 type RoadmapLines = ReturnType<typeof roadmapPseudocode>['line']
 
@@ -59,7 +68,7 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   const { width } = problem.grid
   if (tape) recordEdges(roadmap, problem, cost, tape.at(lines.edges))
   tape?.at(lines.open).write(EVENT.phase, -1, 2)
-  const weight = (a: number, b: number) => rankOfSimplestPath(cost, width, vertices[a], vertices[b])
+  const rankOf = simplestPathRanks(cost, width)
   const start = vertices.indexOf(problem.start)
   const goal = vertices.indexOf(problem.goal)
   const ranks = new Float64Array(vertices.length).fill(Number.POSITIVE_INFINITY)
@@ -67,6 +76,7 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   /** Whether the simplest path from the parent is the free one, or else the one to it. */
   const outwards = new Uint8Array(vertices.length)
   const closed = new Uint8Array(vertices.length)
+  const edges = roomForEdges(roadmap)
   const queue = new FlatQueue<number>()
   ranks[start] = 0
   queue.push(start, 0)
@@ -75,27 +85,28 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   for (let vertex = queue.pop(); vertex !== undefined; vertex = queue.pop()) {
     if (closed[vertex]) continue
     closed[vertex] = 1
-    const here = vertex
-    tape?.at(lines.close).write(EVENT.close, vertices[here], -1, costOfRank(cost, ranks[here]))
+    tape?.at(lines.close).write(EVENT.close, vertices[vertex], -1, costOfRank(cost, ranks[vertex]))
     if (++expanded % 256 === 0) progress(expanded / vertices.length)
-    if (here === goal) {
+    if (vertex === goal) {
       const path = joinCells(width, vertices, parents, outwards, goal)
       tape?.at(lines.found).write(EVENT.phase, -1, 3)
       for (const cell of path) tape?.write(EVENT.path, cell)
       return { status: 'reached', reason: 'the shortest path on the roadmap', path, expanded }
     }
-    roadmap.eachNeighbour(here, (other, outward) => {
-      if (closed[other]) return
-      const next = ranks[here] + weight(here, other)
-      if (next >= ranks[other]) return
+    const count = roadmap.edgesOf(vertex, edges)
+    for (let i = 0; i < count; i++) {
+      const other = otherEnd(edges[i])
+      if (closed[other]) continue
+      const next = ranks[vertex] + rankOf(vertices[vertex], vertices[other])
+      if (next >= ranks[other]) continue
       ranks[other] = next
-      parents[other] = here
-      outwards[other] = outward ? 1 : 0
+      parents[other] = vertex
+      outwards[other] = edges[i] & 1
       queue.push(other, next)
       tape
         ?.at(lines.open)
-        .write(EVENT.open, vertices[other], vertices[here], costOfRank(cost, next))
-    })
+        .write(EVENT.open, vertices[other], vertices[vertex], costOfRank(cost, next))
+    }
   }
   tape?.at(lines.none)
   return { ...failure, path: new Int32Array(0), expanded }
