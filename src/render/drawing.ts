@@ -89,7 +89,11 @@ function drawTries(pen: Pen, place: Placement, scene: Scene, frame: Frame): void
   const { theme, problem } = scene
   const [from, to] = latestEdge(scene)
   if (from !== undefined) drawLatestEdge(pen, place, theme, from, to)
-  if (frame.refusal) drawRefusal(pen, place, theme, frame.refusal)
+  if (frame.refusal) {
+    drawRefusal(pen, place, theme, frame.refusal)
+    // It may pass over some: refusals are told on small roadmaps only.
+    drawVertices(pen, place, theme, frame.vertices)
+  }
   if (frame.test) drawCornerTest(pen, place, theme, problem.grid, frame.test)
 }
 

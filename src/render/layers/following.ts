@@ -29,11 +29,11 @@ export function drawRail(
 ): void {
   const size = inProportion(place, 0.36, 5.5, 24)
   const side = turn === 0 ? -1 : 1
-  const beside = 1.2 * size * side
+  const beside = 1.15 * size * side
   const points = [
-    [-1.05 * size, beside],
-    [1.05 * size, beside],
-    [0.6 * size, beside - 0.42 * size * side],
+    [-1.1 * size, beside],
+    [1.25 * size, beside],
+    [0.65 * size, beside - 0.55 * size * side],
   ] as const
   pen.beginPath()
   traceTurned(pen, centreX(place, rover), centreY(place, rover), angle, points)
