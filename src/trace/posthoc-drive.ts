@@ -35,8 +35,7 @@ export class PosthocDrive {
         lines.cell('sense', cell, step).tell('obstacle', String(other === 1))
         break
       case EVENT.target:
-        if (cell < 0) this.#here('no-target')
-        else lines.cell('target', cell, step).tellNumber('distance', value)
+        this.#ahead('target', cell, step).tellNumber('distance', value)
         break
       case EVENT.mLine:
         lines.cell('m-line', cell, lines.idIfKnown(this.#mLine))
@@ -48,8 +47,7 @@ export class PosthocDrive {
         else lines.tellPlace('obstacleX', 'obstacleY', other)
         break
       case EVENT.feel:
-        if (cell < 0) this.#here('feel-border')
-        else lines.cell('feel', cell, step)
+        this.#ahead('feel', cell, step)
         break
       case EVENT.around:
         this.#here('around').tellNumber('steps', value)
@@ -64,13 +62,18 @@ export class PosthocDrive {
         this.#here('scan')
         break
       case EVENT.node:
-        lines.cell('node', cell, step).tellNumber('distance', value)
+        this.#ahead('node', cell, step).tellNumber('distance', value)
         break
     }
   }
 
   end(): void {
     this.#here('end')
+  }
+
+  /** An event of another cell than the rover's; outside the map there is no place for it. */
+  #ahead(type: string, cell: Cell, step: string | null): PosthocLines {
+    return cell < 0 ? this.#here(`${type}-outside`) : this.#lines.cell(type, cell, step)
   }
 
   /** An event at the step and in the place where the rover is; before the first step, at none. */

@@ -90,9 +90,9 @@ function drawings(width: number, highest: number): Record<string, readonly Compo
       { ...square(COLOUR.known, 0.3), fill: either('obstacle', COLOUR.obstacle, COLOUR.known) },
     ],
     feel: [square(COLOUR.obstacle, 0.9)],
-    'feel-border': [dot(COLOUR.obstacle, 0.45, transient)],
+    'feel-outside': [dot(COLOUR.obstacle, 0.45, transient)],
     target: [dot(COLOUR.goal, 0.35, transient)],
-    'no-target': [dot(COLOUR.rover, 0.45, transient)],
+    'target-outside': [dot(COLOUR.goal, 0.45, transient)],
     'm-line': [square(COLOUR.mLine, 0.8, 0.3)],
     hit: [dot(COLOUR.refused, 0.4), squareAt('obstacleX', 'obstacleY', COLOUR.refused)],
     leave: [dot(COLOUR.passed, 0.4)],
@@ -100,6 +100,7 @@ function drawings(width: number, highest: number): Record<string, readonly Compo
     loop: [dot(COLOUR.mLine, 0.45)],
     scan: [dot(COLOUR.rover, 0.45, transient)],
     node: [dot(COLOUR.vertex, 0.35, transient)],
+    'node-outside': [dot(COLOUR.vertex, 0.45, transient)],
     end: [dot(COLOUR.current, 0.3)],
   }
 }
