@@ -1,7 +1,7 @@
 import { InputError } from '../grid/errors'
 import { type Cell, pointOf } from '../grid/grid'
 
-/** How many events are joined at a time: text put together piece by piece takes ten times the room. */
+/** How many events are joined at a time: until then each is kept as the tree of its pieces. */
 const BLOCK = 4096
 
 /** A number as JSON, at most six decimals; what JSON cannot say becomes a text. */
