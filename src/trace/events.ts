@@ -37,7 +37,7 @@ export const EVENT = {
   step: 13,
   /** The rover's sensor saw a cell for the first time: cell, 1 if it is an obstacle else 0. */
   sense: 14,
-  /** The rover heads for a cell, or for none: cell, -, distance (or potential) by which it was chosen. */
+  /** The rover or the agent heads for a cell: cell, -, distance or potential by which it was chosen. */
   target: 15,
   /** A cell of the m-line: cell. */
   mLine: 16,

@@ -72,10 +72,10 @@ export function explain(
       return frame.nodes.length === 0
         ? `No end of an obstacle is in reach of ${name(cell)}.`
         : `${count(frame.nodes.length, 'node')} in reach of ${name(cell)}.`
-    case EVENT.target:
-      return cell < 0
-        ? 'It heads for nothing any more.'
-        : `${name(cell)} is the best of them, at ${number(value)}: head for it.`
+    case EVENT.target: {
+      const best = cell < 0 ? 'A place of the border' : name(cell)
+      return `${best} is the best of them, at ${number(value)}: head for it.`
+    }
     case EVENT.mLine:
       return `The m-line: the simplest path from start to goal, ${count(frame.mLine.length, 'cell')}.`
     case EVENT.hit:
