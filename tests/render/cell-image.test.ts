@@ -163,6 +163,16 @@ describe('fields', () => {
     const [free] = pixels(cell.free)
     expect([...at(first + 2).subarray(0, 4)]).toEqual([heat[0], heat[0], free, free])
   })
+
+  it('are painted cell by cell as they come', () => {
+    const image = new CellImage()
+    const player = new Player(tape)
+    for (let time = 0; time <= tape.length; time++) {
+      const plan = { tape, frame: player.moveTo(time) }
+      image.update(sceneOf(problem, { plan, showPotential: true }))
+      expect(image.pixels).toEqual(at(time))
+    }
+  })
 })
 
 /** The first time at which something holds. */

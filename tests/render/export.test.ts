@@ -52,10 +52,10 @@ describe('a picture as SVG', () => {
   })
 
   it('lays runs of cells where they are on the map', () => {
-    const row = (y: number, ...runs: string[]) => runs.map((run) => run.replace('y', String(y)))
-    const svg = pictureAsSvg(sceneOf(problemFromText('S##.\n####\n...G')))
-    const expected = [...row(0, 'M1 yh2v1h-2z'), ...row(1, 'M0 yh4v1h-4z')].join('')
-    expect(svg).toContain(`<path fill="${themes.dark.obstacle.seen}" d="${expected}"/>`)
+    const svg = pictureAsSvg(sceneOf(problemFromText('S#.##\n####.\n....G')))
+    // Two runs in the first row, the second of which does not go on in the next row.
+    const runs = 'M1 0h1v1h-1zM3 0h2v1h-2zM0 1h4v1h-4z'
+    expect(svg).toContain(`<path fill="${themes.dark.obstacle.seen}" d="${runs}"/>`)
   })
 
   it.each([
