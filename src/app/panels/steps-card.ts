@@ -34,7 +34,7 @@ export function stepsCard(store: Store<State>): (state: State, moment: Moment | 
     setText(brief, text)
     loop = moment && loopBegan(moment)
     before.hidden = loop === null
-    setText(before, `See it before: step ${loop}`)
+    setText(before, `See that time: step ${loop} here`)
     showRows(table, moment ? stepNumbers(moment) : [])
     code.show(moment?.shown.setup ?? setup, moment?.frame.line ?? -1)
   }
