@@ -11,6 +11,9 @@ import { isOutward, otherEnd, type Roadmap, roomForEdges } from './roadmap'
 /** With more vertices the pairs without an edge are too many to show one by one. */
 const MOST_VERTICES_WITH_REFUSALS = 256
 
+/** With more edges a tape would not fit into memory; the search uses all of them all the same. */
+const MOST_EDGES = 2_000_000
+
 const REFUSED = 0
 const OUTWARD = 1
 const INWARD = 2
@@ -18,9 +21,15 @@ const INWARD = 2
 /**
  * Writes down every edge of a roadmap, from the cell whose simplest path to the other is free. On
  * small roadmaps the pairs that get no edge are written down too, with the cell where the simplest
- * path from the first one is refused.
+ * path from the first one is refused; on huge ones the tape is cut.
  */
-export function recordEdges(roadmap: Roadmap, problem: Problem, cost: Cost, tape: Tape): void {
+export function recordEdges(
+  roadmap: Roadmap,
+  problem: Problem,
+  cost: Cost,
+  tape: Tape,
+  progress: (done: number) => void,
+): void {
   const { vertices } = roadmap
   const firstRefusal = refusals(problem)
   const withRefusals = vertices.length <= MOST_VERTICES_WITH_REFUSALS
@@ -29,8 +38,14 @@ export function recordEdges(roadmap: Roadmap, problem: Problem, cost: Cost, tape
   const edges = roomForEdges(roadmap)
   const rankOf = simplestPathRanks(cost, problem.grid.width)
   tape.write(EVENT.phase, -1, 1)
+  const before = tape.length
   for (let vertex = 0; vertex < vertices.length; vertex++) {
     const from = vertices[vertex]
+    if (vertex % 64 === 0) progress(vertex / vertices.length)
+    if (tape.length - before > MOST_EDGES) {
+      tape.write(EVENT.cut, from, -1, tape.length - before)
+      return
+    }
     joined.length = 0
     const count = roadmap.edgesOf(vertex, edges)
     for (let i = 0; i < count; i++) {

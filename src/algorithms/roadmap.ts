@@ -66,7 +66,10 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   const { problem, cost, failure, lines, tape, progress } = task
   const { vertices } = roadmap
   const { width } = problem.grid
-  if (tape) recordEdges(roadmap, problem, cost, tape.at(lines.edges))
+  const recording = tape ? 0.5 : 0
+  if (tape) {
+    recordEdges(roadmap, problem, cost, tape.at(lines.edges), (done) => progress(recording * done))
+  }
   tape?.at(lines.open).write(EVENT.phase, -1, 2)
   const rankOf = simplestPathRanks(cost, width)
   const start = vertices.indexOf(problem.start)
@@ -86,7 +89,9 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
     if (closed[vertex]) continue
     closed[vertex] = 1
     tape?.at(lines.close).write(EVENT.close, vertices[vertex], -1, costOfRank(cost, ranks[vertex]))
-    if (++expanded % 256 === 0) progress(expanded / vertices.length)
+    if (++expanded % 256 === 0) {
+      progress(recording + ((1 - recording) * expanded) / vertices.length)
+    }
     if (vertex === goal) {
       const path = joinCells(width, vertices, parents, outwards, goal)
       tape?.at(lines.found).write(EVENT.phase, -1, 3)

@@ -59,6 +59,8 @@ export const EVENT = {
   node: 24,
   /** A number that the planner decides by: cell, which of its variables, its value. */
   value: 25,
+  /** Too many edges to write them all down: those from this cell on are missing. Cell, -, how many are there. */
+  cut: 26,
 } as const
 
 export type EventKind = (typeof EVENT)[keyof typeof EVENT]

@@ -48,6 +48,8 @@ export function explain(
       return `${name(cell)} is a vertex of the roadmap.`
     case EVENT.edge:
       return `The simplest path from ${name(cell)} to ${name(other)} is free: an edge of cost ${number(value)}.`
+    case EVENT.cut:
+      return `There are more than ${count(value, 'edge')}: those from ${name(cell)} on are used, but not shown.`
     case EVENT.refuse:
       return `The simplest paths between ${name(cell)} and ${name(other)} are refused, the one from ${name(cell)} at ${name(value)}: no edge.`
     case EVENT.open:
