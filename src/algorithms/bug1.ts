@@ -63,12 +63,13 @@ export const bug1 = onlinePlanner({
         notes.value(NEAREST, distance(nearest, goal))
       }
       if (isAtGoal()) break
+      notes.around(walk.taken.length)
       if (nearest === hitPoint) {
         notes.at(line.unreachable)
         const reason = `went round the obstacle once, and nowhere was nearer to the goal than hit point ${placeName(hitPoint)}`
         return { status: 'unreachable', reason }
       }
-      notes.at(line.back)
+      notes.at(line.back).target(nearest, distance(nearest, goal))
       for (const direction of shorterWay(walk.taken, firstMet, lastMet)) {
         rover.step(direction)
         rover.sense()

@@ -70,7 +70,7 @@ export const bug2 = onlinePlanner({
       const hit = mLineIndex()
       const before = stepsAtHit.get(hit)
       if (before !== undefined) {
-        notes.at(line.loop)
+        notes.at(line.loop).loop(before)
         const reason = `hit point ${placeName(hitPoint)} again, in the same state as at step ${before}`
         return { status: 'loop', reason }
       }
@@ -84,8 +84,9 @@ export const bug2 = onlinePlanner({
         walk.step()
         notes.value(INDEX, mLineIndex())
         if (walk.isAround) {
-          notes.at(line.closed)
+          notes.at(line.closed).around(walk.taken.length)
           const reason = `went round the obstacle once from hit point ${placeName(hitPoint)} without meeting the m-line again`
+          if (!isProof) notes.loop(rover.steps - walk.taken.length)
           return isProof
             ? { status: 'unreachable', reason: `${reason} further along` }
             : {

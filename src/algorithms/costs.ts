@@ -1,3 +1,4 @@
+import type { Cell } from '../grid/grid'
 import type { ChoiceParam } from './params'
 
 export type Cost = 'cells' | 'euclidean'
@@ -28,4 +29,15 @@ export function rank(cost: Cost, steps: number, diagonals: number): number {
 /** The cost that a rank stands for. */
 export function costOfRank(cost: Cost, rank: number): number {
   return cost === 'cells' ? Math.floor(rank / MORE_THAN_ANY_PATH) : rank
+}
+
+/** Ranks the simplest path between two cells of a map `width` cells wide. */
+export function simplestPathRanks(cost: Cost, width: number): (a: Cell, b: Cell) => number {
+  return (a, b) => {
+    const aboveA = Math.floor(a / width)
+    const aboveB = Math.floor(b / width)
+    const across = Math.abs(a - aboveA * width - (b - aboveB * width))
+    const down = Math.abs(aboveA - aboveB)
+    return across > down ? rank(cost, across, down) : rank(cost, down, across)
+  }
 }

@@ -1,4 +1,6 @@
+import type { Problem } from '../grid/problem'
 import { EVENT } from '../trace/events'
+import type { Tape } from '../trace/tape'
 import { costParam } from './costs'
 import { pathTo, searchByCells, searchByLength } from './grid-search'
 import { offlinePlanner } from './planner'
@@ -21,10 +23,13 @@ export const decomposition = offlinePlanner({
   complete: () => true,
   optimal: () => true,
   params: [costParam],
+  phases: ['Decompose the map into cells', 'Search', 'Path'],
   pseudocode: text,
   source: 'Report, IV.A; E. W. Dijkstra, "A note on two problems in connexion with graphs", 1959',
 
   plan(problem, { params, tape, progress }) {
+    if (tape) recordGraph(problem, tape)
+    tape?.at(line.open).write(EVENT.phase, -1, 1)
     const notes = { tape, openLine: line.open, closeLine: line.close, progress }
     const search = params.cost === 'cells' ? searchByCells : searchByLength
     const { found, parents, expanded } = search(problem, notes)
@@ -34,8 +39,18 @@ export const decomposition = offlinePlanner({
       return { status: 'unreachable', reason, path: new Int32Array(0), expanded }
     }
     const path = pathTo(problem.goal, parents)
-    tape?.at(line.found)
+    tape?.at(line.found).write(EVENT.phase, -1, 2)
     for (const cell of path) tape?.write(EVENT.path, cell)
     return { status: 'reached', reason: 'the path of least cost', path, expanded }
   },
 })
+
+/** The cells of the map become the vertices of a graph, row by row. */
+function recordGraph({ grid }: Problem, tape: Tape): void {
+  tape.at(line.graph).write(EVENT.phase, -1, 0)
+  for (let first = 0; first < grid.walls.length; first += grid.width) {
+    let free = 0
+    for (let cell = first; cell < first + grid.width; cell++) if (!grid.walls[cell]) free++
+    tape.write(EVENT.row, first, free)
+  }
+}

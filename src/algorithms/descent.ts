@@ -2,9 +2,11 @@ import { directionOf, stepOffsets } from '../grid/directions'
 import { type Cell, cellName } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import { allLegalSteps } from '../grid/steps'
-import { EVENT } from '../trace/events'
+import { EVENT, type EventKind } from '../trace/events'
 import type { Tape } from '../trace/tape'
 import type { Answer } from './planner'
+import type { Fields } from './potential'
+import { pseudocode } from './pseudocode'
 
 /** Among equal neighbours the first of these wins: columns x+1, x, x−1, in each y−1, y, y+1. */
 const ORDER = [
@@ -18,25 +20,48 @@ const ORDER = [
   [-1, 1],
 ].map(([dx, dy]) => directionOf(dx, dy))
 
+const HERE = 0
+const LOWEST = 1
+
+/** What both planners share of their declarations. */
+export const descentPhases = ['Attraction', 'Repulsion', 'Sum of both', 'Walk'] as const
+export const descentVariables = ['potential here', 'lowest potential of the neighbours'] as const
+
+type PotentialLines = ReturnType<typeof descentPseudocode>['line']
+
+export function descentPseudocode(own: Readonly<Record<'choose' | 'step' | 'stuck', string>>) {
+  return pseudocode({
+    attraction: 'attraction ← (x − xg)² + (y − yg)², for every free cell',
+    repulsion:
+      'repulsion ← value / distance to the closest obstacle, where one lies within influence',
+    sum: 'potential ← attraction + repulsion; infinite for obstacles',
+    choose: `while not at the goal: look for ${own.choose}`,
+    step: own.step,
+    stuck: own.stuck,
+  })
+}
+
 interface Descent {
   readonly problem: Problem
-  readonly potential: Float64Array
+  readonly fields: Fields
   /** Whether cells already visited are closed to the agent, and steps upwards open to it. */
   readonly memory: boolean
-  readonly lines: Readonly<Record<'field' | 'choose' | 'step' | 'stuck', number>>
+  readonly lines: PotentialLines
   readonly tape: Tape | undefined
 }
 
 /** Steps to the legal neighbour with the lowest potential until the goal is reached or none is left. */
 export function descend(task: Descent): Answer {
-  const { problem, potential, memory, lines, tape } = task
+  const { problem, fields, memory, lines, tape } = task
+  const { potential } = fields
   const { width } = problem.grid
   const legal = allLegalSteps(problem.grid, problem.diagonal)
   const offsets = stepOffsets(width)
   const visited = new Uint8Array(potential.length)
   const path: Cell[] = []
   const visit = (cell: Cell): void => {
-    tape?.at(lines.step).write(EVENT.step, cell, path.at(-1), potential[cell])
+    tape?.at(lines.step).write(EVENT.step, cell, path.at(-1))
+    tape?.write(EVENT.value, cell, HERE, potential[cell])
     path.push(cell)
     visited[cell] = 1
   }
@@ -50,17 +75,16 @@ export function descend(task: Descent): Answer {
     return lowest
   }
 
-  if (tape) {
-    tape.at(lines.field)
-    for (let cell = 0; cell < potential.length; cell++) {
-      tape.write(EVENT.potential, cell, -1, potential[cell])
-    }
-  }
+  if (tape) recordFields(fields, lines, tape)
+  tape?.at(lines.step).write(EVENT.phase, -1, 3)
   let here = problem.start
   visit(here)
   while (here !== problem.goal) {
     const next = lowestNeighbour(here)
-    if (next >= 0) tape?.at(lines.choose).write(EVENT.target, next, -1, potential[next])
+    if (next >= 0) {
+      tape?.at(lines.choose).write(EVENT.target, next, -1, potential[next])
+      tape?.write(EVENT.value, next, LOWEST, potential[next])
+    }
     const isStuck = next < 0 || (!memory && potential[next] >= potential[here])
     if (isStuck) {
       tape?.at(lines.stuck)
@@ -79,4 +103,14 @@ export function descend(task: Descent): Answer {
   }
   const reason = 'the agent came down to the goal'
   return { status: 'reached', reason, path: Int32Array.from(path), expanded: 0 }
+}
+
+function recordFields(fields: Fields, lines: PotentialLines, tape: Tape): void {
+  const record = (phase: number, line: number, kind: EventKind, field: Float64Array) => {
+    tape.at(line).write(EVENT.phase, -1, phase)
+    for (let cell = 0; cell < field.length; cell++) tape.write(kind, cell, -1, field[cell])
+  }
+  record(0, lines.attraction, EVENT.attraction, fields.attraction)
+  record(1, lines.repulsion, EVENT.repulsion, fields.repulsion)
+  record(2, lines.sum, EVENT.potential, fields.potential)
 }

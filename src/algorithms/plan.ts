@@ -5,9 +5,10 @@ import { checkProblem, type Problem } from '../grid/problem'
 import { randomNumbers } from '../grid/random'
 import { DriveNotes } from '../rover/drive-notes'
 import { SimulatedRover } from '../rover/simulated-rover'
+import { EVENT, STATUSES, type Status } from '../trace/events'
 import { Tape } from '../trace/tape'
 import { completeParams, type ParamSettings } from './params'
-import type { Answer, AnyPlanner, Context, Status, Values } from './planner'
+import type { Answer, AnyPlanner, Context, Values } from './planner'
 import { planners } from './planners'
 
 export interface PlanOptions {
@@ -58,6 +59,7 @@ export function plan(problem: Problem, plannerId: string, options: PlanOptions =
   const context = { params, random: randomNumbers(seed), tape, progress }
   const { sensed, ...answer } = run(problem, planner, context)
   checkAnswer(problem, planner, params, answer)
+  tape?.write(EVENT.end, answer.path.at(-1), STATUSES.indexOf(answer.status))
   const measure = measurePath(problem.grid.width, answer.path)
   const steps = Math.max(0, measure.cells - 1)
   return { ...answer, sensed, measure, cost: params.cost === 'euclidean' ? measure.length : steps }

@@ -2,14 +2,9 @@ import type { Problem } from '../grid/problem'
 import type { DiagonalRule } from '../grid/steps'
 import type { DriveNotes } from '../rover/drive-notes'
 import type { Rover, SensorSettings } from '../rover/rover'
+import type { Status } from '../trace/events'
 import type { Tape } from '../trace/tape'
 import type { Param, ParamValue, ValuesOf } from './params'
-
-/**
- * How a run ends. `unreachable` is a proof that no path exists; `not-found` only says that this
- * planner gave up; `loop` that the same state came back.
- */
-export type Status = 'reached' | 'unreachable' | 'not-found' | 'local-minimum' | 'dead-end' | 'loop'
 
 /** What a planner answers; the path's cost and measures are reckoned for all planners in `plan`. */
 export interface Answer {
@@ -53,6 +48,8 @@ export interface Planner {
   /** Whether its paths are always of least cost. */
   optimal(params: Values, diagonal: DiagonalRule): boolean
   readonly params: readonly Param[]
+  /** Names of the parts of its work; `phase` events on the tape count them from 0. */
+  readonly phases: readonly string[]
   /** Names of the numbers that it decides by; `value` events on the tape count them from 0. */
   readonly variables: readonly string[]
   /** Whether chance plays a part, so that another seed may give another answer. */
@@ -83,11 +80,12 @@ export type AnyPlanner = OfflinePlanner | OnlinePlanner
 
 type Described<Params extends readonly Param[]> = Omit<
   Planner,
-  'family' | 'params' | 'usesSeed' | 'variables' | 'complete' | 'optimal'
+  'family' | 'params' | 'usesSeed' | 'variables' | 'phases' | 'complete' | 'optimal'
 > & {
   readonly params: Params
   readonly usesSeed?: true
   readonly variables?: readonly string[]
+  readonly phases?: readonly string[]
   complete(params: ValuesOf<Params>): boolean
   optimal(params: ValuesOf<Params>, diagonal: DiagonalRule): boolean
 }
@@ -98,7 +96,13 @@ export function offlinePlanner<const Params extends readonly Param[]>(
     plan(problem: Problem, context: Context<ValuesOf<Params>>): Answer
   },
 ): OfflinePlanner {
-  return { family: 'offline', usesSeed: false, variables: [], ...planner } as OfflinePlanner
+  return {
+    family: 'offline',
+    usesSeed: false,
+    variables: [],
+    phases: [],
+    ...planner,
+  } as OfflinePlanner
 }
 
 /** Declares an online planner; inside it the parameters have the types that it declares. */
@@ -108,5 +112,11 @@ export function onlinePlanner<const Params extends readonly Param[]>(
     drive(rover: Rover, context: DriveContext<ValuesOf<Params>>): DriveAnswer
   },
 ): OnlinePlanner {
-  return { family: 'online', usesSeed: false, variables: [], ...planner } as OnlinePlanner
+  return {
+    family: 'online',
+    usesSeed: false,
+    variables: [],
+    phases: [],
+    ...planner,
+  } as OnlinePlanner
 }

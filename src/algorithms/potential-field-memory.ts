@@ -1,11 +1,9 @@
-import { descend } from './descent'
+import { descend, descentPhases, descentPseudocode, descentVariables } from './descent'
 import { offlinePlanner } from './planner'
-import { potentialOf, potentialParams } from './potential'
-import { pseudocode } from './pseudocode'
+import { fieldsOf, potentialParams } from './potential'
 
-const { text, line } = pseudocode({
-  field: 'potential ← attraction by the goal + repulsion by the closest obstacle, for every cell',
-  choose: 'while not at the goal: look for the lowest legal neighbour not yet visited',
+const { text, line } = descentPseudocode({
+  choose: 'the lowest legal neighbour not yet visited',
   step: 'step to it, even if it is higher than here, and remember it',
   stuck: 'if there is none, stop: a dead end',
 })
@@ -19,11 +17,13 @@ export const potentialFieldMemory = offlinePlanner({
   complete: () => false,
   optimal: () => false,
   params: potentialParams,
+  phases: descentPhases,
+  variables: descentVariables,
   pseudocode: text,
   source: 'Report, IV.D',
 
   plan(problem, { params, tape }) {
-    const potential = potentialOf(problem, params)
-    return descend({ problem, potential, memory: true, lines: line, tape })
+    const fields = fieldsOf(problem, params)
+    return descend({ problem, fields, memory: true, lines: line, tape })
   },
 })

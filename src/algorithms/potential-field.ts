@@ -1,11 +1,9 @@
-import { descend } from './descent'
+import { descend, descentPhases, descentPseudocode, descentVariables } from './descent'
 import { offlinePlanner } from './planner'
-import { potentialOf, potentialParams } from './potential'
-import { pseudocode } from './pseudocode'
+import { fieldsOf, potentialParams } from './potential'
 
-const { text, line } = pseudocode({
-  field: 'potential ← attraction by the goal + repulsion by the closest obstacle, for every cell',
-  choose: 'while not at the goal: look for the legal neighbour with the lowest potential',
+const { text, line } = descentPseudocode({
+  choose: 'the legal neighbour with the lowest potential',
   step: 'if it is lower than here: step to it',
   stuck: 'else stop: a local minimum',
 })
@@ -19,12 +17,14 @@ export const potentialField = offlinePlanner({
   complete: () => false,
   optimal: () => false,
   params: potentialParams,
+  phases: descentPhases,
+  variables: descentVariables,
   pseudocode: text,
   source:
     'Report, IV.D; C. W. Warren, "Global path planning using artificial potential fields", 1989',
 
   plan(problem, { params, tape }) {
-    const potential = potentialOf(problem, params)
-    return descend({ problem, potential, memory: false, lines: line, tape })
+    const fields = fieldsOf(problem, params)
+    return descend({ problem, fields, memory: false, lines: line, tape })
   },
 })

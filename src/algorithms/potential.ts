@@ -34,47 +34,71 @@ export const potentialParams = [
   },
 ] as const satisfies readonly Param[]
 
+type Settings = ValuesOf<typeof potentialParams>
+
 /**
- * The potential of every cell (report, IV.D): attraction (x − xg)² + (y − yg)², plus
+ * The fields over all cells (report, IV.D): attraction (x − xg)² + (y − yg)²; repulsion
  * `repulsiveValue` / distance where the closest obstacle lies within `influence` cells, but not at
- * the goal. Obstacles are infinite; the border of the map repels nothing.
+ * the goal; and their sum. Obstacles are infinite; the border of the map repels nothing.
  */
-export function potentialOf(
+export interface Fields {
+  readonly attraction: Float64Array
+  readonly repulsion: Float64Array
+  readonly potential: Float64Array
+}
+
+export function fieldsOf(problem: Problem, settings: Settings): Fields {
+  const attraction = attractionOf(problem)
+  const repulsion = repulsionOf(problem, settings)
+  const potential = attraction.map((value, cell) => value + repulsion[cell])
+  return { attraction, repulsion, potential }
+}
+
+function attractionOf({ grid, goal }: Problem): Float64Array {
+  const goalX = goal % grid.width
+  const goalY = Math.floor(goal / grid.width)
+  const attraction = new Float64Array(grid.walls.length)
+  for (let cell = 0, y = 0; y < grid.height; y++) {
+    for (let x = 0; x < grid.width; x++, cell++) {
+      attraction[cell] = (x - goalX) ** 2 + (y - goalY) ** 2
+    }
+  }
+  return attraction
+}
+
+function repulsionOf(
   { grid, goal }: Problem,
-  { influence, repulsiveValue, repulsionDistance }: ValuesOf<typeof potentialParams>,
+  { influence, repulsiveValue, repulsionDistance }: Settings,
 ): Float64Array {
   const { width, height, walls } = grid
-  const goalX = goal % width
-  const goalY = Math.floor(goal / width)
-  const repulsions = repulsionTable(influence, repulsiveValue, repulsionDistance)
+  const strengths = strengthTable(influence, repulsiveValue, repulsionDistance)
   const inRow = distancesInRow(walls, width, influence)
   const side = influence + 1
-  const potential = new Float64Array(walls.length)
-  for (let y = 0; y < height; y++) {
+  const repulsion = new Float64Array(walls.length)
+  for (let cell = 0, y = 0; y < height; y++) {
     const above = Math.min(influence, y)
     const below = Math.min(influence, height - 1 - y)
-    for (let x = 0; x < width; x++) {
-      const cell = y * width + x
+    for (let x = 0; x < width; x++, cell++) {
       if (walls[cell]) {
-        potential[cell] = Number.POSITIVE_INFINITY
+        repulsion[cell] = Number.POSITIVE_INFINITY
         continue
       }
-      let repulsion = 0
+      let strongest = 0
       for (let dy = -above; dy <= below; dy++) {
         const dx = inRow[cell + dy * width]
         if (dx > influence) continue
-        const strength = repulsions[Math.abs(dy) * side + dx]
-        if (strength > repulsion) repulsion = strength
+        const strength = strengths[Math.abs(dy) * side + dx]
+        if (strength > strongest) strongest = strength
       }
-      const attraction = (x - goalX) ** 2 + (y - goalY) ** 2
-      potential[cell] = attraction + (cell === goal ? 0 : repulsion)
+      repulsion[cell] = strongest
     }
   }
-  return potential
+  repulsion[goal] = 0
+  return repulsion
 }
 
 /** Repulsion by how many rows and columns away the obstacle is. The closest is the strongest. */
-function repulsionTable(
+function strengthTable(
   influence: number,
   repulsiveValue: number,
   measure: RepulsionDistance,

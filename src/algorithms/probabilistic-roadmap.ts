@@ -1,10 +1,11 @@
 import type { Cell } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import { randomInteger } from '../grid/random'
+import { EVENT } from '../trace/events'
 import { ClearRuns } from './clear-runs'
 import { costParam } from './costs'
 import { offlinePlanner } from './planner'
-import { type Roadmap, roadmapPseudocode, searchRoadmap, type VisitNeighbour } from './roadmap'
+import { edgeTo, type Roadmap, roadmapPhases, roadmapPseudocode, searchRoadmap } from './roadmap'
 
 const { text, line } = roadmapPseudocode({
   vertices: 'random free cells',
@@ -34,6 +35,7 @@ export const probabilisticRoadmap = offlinePlanner({
     costParam,
   ],
   usesSeed: true,
+  phases: roadmapPhases,
   pseudocode: text,
   source:
     'Report, IV.C; L. E. Kavraki et al., "Probabilistic roadmaps for path planning in high-dimensional configuration spaces", 1996',
@@ -43,6 +45,8 @@ export const probabilisticRoadmap = offlinePlanner({
       ...new Set([problem.start, problem.goal]),
       ...sampleFreeCells(problem, params.samples, random),
     ])
+    tape?.at(line.vertices).write(EVENT.phase, -1, 0)
+    for (const cell of vertices) tape?.write(EVENT.vertex, cell)
     const failure = {
       status: 'not-found',
       reason: 'these samples do not join start and goal; more samples or another seed may',
@@ -72,13 +76,15 @@ function sampleFreeCells(problem: Problem, count: number, random: () => number):
 
 function pairwiseRoadmap(problem: Problem, vertices: Int32Array): Roadmap {
   const runs = new ClearRuns(problem)
-  const eachNeighbour = (vertex: number, visit: VisitNeighbour): void => {
+  const edgesOf = (vertex: number, edges: Int32Array): number => {
     const cell = vertices[vertex]
+    let count = 0
     for (let other = 0; other < vertices.length; other++) {
       if (other === vertex) continue
-      if (runs.isFree(cell, vertices[other])) visit(other, true)
-      else if (runs.isFree(vertices[other], cell)) visit(other, false)
+      if (runs.isFree(cell, vertices[other])) edges[count++] = edgeTo(other, 1)
+      else if (runs.isFree(vertices[other], cell)) edges[count++] = edgeTo(other, 0)
     }
+    return count
   }
-  return { vertices, eachNeighbour }
+  return { vertices, edgesOf }
 }

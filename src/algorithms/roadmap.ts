@@ -2,25 +2,35 @@ import FlatQueue from 'flatqueue'
 import type { Cell } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import { simplestPath } from '../grid/simplest-path'
-import { EVENT } from '../trace/events'
+import { EVENT, type Status } from '../trace/events'
 import type { Tape } from '../trace/tape'
-import { type Cost, costOfRank, rank } from './costs'
-import type { Answer, Status } from './planner'
+import { type Cost, costOfRank, simplestPathRanks } from './costs'
+import type { Answer } from './planner'
 import { pseudocode } from './pseudocode'
-
-/**
- * Called with the place in `vertices` of a joined vertex. `outward` tells which simplest path is
- * known to be free: the one to that vertex, or else the one back from it.
- */
-export type VisitNeighbour = (other: number, outward: boolean) => void
+import { recordEdges } from './roadmap-edges'
 
 /** A graph over some of the map's free cells, joined where a simplest path between them is free. */
 export interface Roadmap {
   /** The cells that are vertices, each once, start and goal among them. */
   readonly vertices: Int32Array
-  /** Visits each vertex joined to that one; some perhaps twice. */
-  eachNeighbour(vertex: number, visit: VisitNeighbour): void
+  /**
+   * Writes the edges of a vertex, named by its place in `vertices`, into the array and returns
+   * their number. Each is an `edgeTo`; a vertex may stand there twice, once for each way round.
+   */
+  edgesOf(vertex: number, edges: Int32Array): number
 }
+
+/**
+ * An edge to the vertex `other`. `outward` tells which simplest path is known to be free: the one
+ * to that vertex (1), or else the one back from it (0).
+ */
+export const edgeTo = (other: number, outward: 0 | 1): number => (other << 1) | outward
+export const otherEnd = (edge: number): number => edge >> 1
+export const isOutward = (edge: number): boolean => (edge & 1) === 1
+
+/** Room for all that `edgesOf` may write. */
+export const roomForEdges = ({ vertices }: Roadmap): Int32Array =>
+  new Int32Array(2 * vertices.length)
 
 type RoadmapLines = ReturnType<typeof roadmapPseudocode>['line']
 
@@ -35,6 +45,8 @@ export function roadmapPseudocode(own: { readonly vertices: string; readonly non
     none: `if no vertex is open: ${own.none}`,
   })
 }
+
+export const roadmapPhases = ['Find the vertices', 'Try simplest paths', 'Search', 'Path'] as const
 
 interface Task {
   readonly problem: Problem
@@ -54,8 +66,12 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   const { problem, cost, failure, lines, tape, progress } = task
   const { vertices } = roadmap
   const { width } = problem.grid
-  if (tape) recordRoadmap(roadmap, width, lines, tape, cost)
-  const weight = (a: number, b: number) => rankOfEdge(cost, width, vertices[a], vertices[b])
+  const recording = tape ? 0.5 : 0
+  if (tape) {
+    recordEdges(roadmap, problem, cost, tape.at(lines.edges), (done) => progress(recording * done))
+  }
+  tape?.at(lines.open).write(EVENT.phase, -1, 2)
+  const rankOf = simplestPathRanks(cost, width)
   const start = vertices.indexOf(problem.start)
   const goal = vertices.indexOf(problem.goal)
   const ranks = new Float64Array(vertices.length).fill(Number.POSITIVE_INFINITY)
@@ -63,68 +79,42 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   /** Whether the simplest path from the parent is the free one, or else the one to it. */
   const outwards = new Uint8Array(vertices.length)
   const closed = new Uint8Array(vertices.length)
+  const edges = roomForEdges(roadmap)
   const queue = new FlatQueue<number>()
   ranks[start] = 0
   queue.push(start, 0)
-  tape?.at(lines.open).write(EVENT.open, problem.start)
+  tape?.write(EVENT.open, problem.start)
   let expanded = 0
   for (let vertex = queue.pop(); vertex !== undefined; vertex = queue.pop()) {
     if (closed[vertex]) continue
     closed[vertex] = 1
-    const here = vertex
-    tape?.at(lines.close).write(EVENT.close, vertices[here], -1, costOfRank(cost, ranks[here]))
-    if (++expanded % 256 === 0) progress(expanded / vertices.length)
-    if (here === goal) {
+    tape?.at(lines.close).write(EVENT.close, vertices[vertex], -1, costOfRank(cost, ranks[vertex]))
+    if (++expanded % 256 === 0) {
+      progress(recording + ((1 - recording) * expanded) / vertices.length)
+    }
+    if (vertex === goal) {
       const path = joinCells(width, vertices, parents, outwards, goal)
-      tape?.at(lines.found)
+      tape?.at(lines.found).write(EVENT.phase, -1, 3)
       for (const cell of path) tape?.write(EVENT.path, cell)
       return { status: 'reached', reason: 'the shortest path on the roadmap', path, expanded }
     }
-    roadmap.eachNeighbour(here, (other, outward) => {
-      if (closed[other]) return
-      const next = ranks[here] + weight(here, other)
-      if (next >= ranks[other]) return
+    const count = roadmap.edgesOf(vertex, edges)
+    for (let i = 0; i < count; i++) {
+      const other = otherEnd(edges[i])
+      if (closed[other]) continue
+      const next = ranks[vertex] + rankOf(vertices[vertex], vertices[other])
+      if (next >= ranks[other]) continue
       ranks[other] = next
-      parents[other] = here
-      outwards[other] = outward ? 1 : 0
+      parents[other] = vertex
+      outwards[other] = edges[i] & 1
       queue.push(other, next)
       tape
         ?.at(lines.open)
-        .write(EVENT.open, vertices[other], vertices[here], costOfRank(cost, next))
-    })
+        .write(EVENT.open, vertices[other], vertices[vertex], costOfRank(cost, next))
+    }
   }
   tape?.at(lines.none)
   return { ...failure, path: new Int32Array(0), expanded }
-}
-
-function rankOfEdge(cost: Cost, width: number, a: Cell, b: Cell): number {
-  const across = Math.abs((a % width) - (b % width))
-  const down = Math.abs(Math.floor(a / width) - Math.floor(b / width))
-  return rank(cost, Math.max(across, down), Math.min(across, down))
-}
-
-function recordRoadmap(
-  { vertices, eachNeighbour }: Roadmap,
-  width: number,
-  lines: RoadmapLines,
-  tape: Tape,
-  cost: Cost,
-): void {
-  tape.at(lines.vertices)
-  for (const cell of vertices) tape.write(EVENT.vertex, cell)
-  tape.at(lines.edges)
-  const lastSeenFrom = new Int32Array(vertices.length).fill(-1)
-  for (let vertex = 0; vertex < vertices.length; vertex++) {
-    eachNeighbour(vertex, (other, outward) => {
-      if (other <= vertex || lastSeenFrom[other] === vertex) return
-      lastSeenFrom[other] = vertex
-      const a = vertices[vertex]
-      const b = vertices[other]
-      const weight = costOfRank(cost, rankOfEdge(cost, width, a, b))
-      if (outward) tape.write(EVENT.edge, a, b, weight)
-      else tape.write(EVENT.edge, b, a, weight)
-    })
-  }
 }
 
 /** The cells from the start to the goal: the simplest paths of the edges, one after the other. */

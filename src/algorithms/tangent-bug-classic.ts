@@ -45,8 +45,9 @@ export function driveClassic(rover: Rover, turn: Turn, notes: DriveNotes): Drive
       bound = far(target)
       target = undefined
     }
-    notes.at(line.nodes)
-    const node = bestNode(rover, bound)
+    const nodes = tangentGraph(rover)
+    notes.at(line.nodes).nodes(nodes)
+    const node = bestBelow(bound, nodes, goal)
     if (node && (!target || node.steps < wayOver(rover, target).steps)) {
       target = node.place
       notes.at(line.target).target(target, node.steps)
@@ -74,10 +75,11 @@ export function driveClassic(rover: Rover, turn: Turn, notes: DriveNotes): Drive
         notes.at(line.leave).leave()
         bound = far(followed)
         target = reach
+        notes.target(reach, wayOver(rover, reach).steps)
         break
       }
       if (walk.isAround) {
-        notes.at(line.unreachable)
+        notes.at(line.unreachable).around(walk.taken.length)
         const reason = `went round the obstacle once from hit point ${placeName(hitPoint)} without seeing a place nearer to the goal`
         return { status: 'unreachable', reason }
       }
@@ -95,13 +97,17 @@ function nearest(first: Point, others: Iterable<Point>, far: (place: Point) => n
   return best
 }
 
-/** The node of the local tangent graph with the least way over it, of those below the bound. */
-function bestNode(rover: Rover, bound: number): Way | undefined {
-  const nodes = freeWayToGoal(rover)
-  for (const place of placesInReach(rover)) if (isEnd(rover, place)) nodes.push(place)
+/** The local tangent graph: the free way to the goal, and the ends of obstacles in reach. */
+function tangentGraph(rover: Rover): Way[] {
+  const places = freeWayToGoal(rover)
+  for (const place of placesInReach(rover)) if (isEnd(rover, place)) places.push(place)
+  return places.map((place) => wayOver(rover, place))
+}
+
+/** The node with the least way over it, of those that are nearer to the goal than the bound. */
+function bestBelow(bound: number, nodes: readonly Way[], goal: Point): Way | undefined {
   return nodes
-    .filter((place) => farness(place, rover.goal) < bound)
-    .map((place) => wayOver(rover, place))
+    .filter(({ place }) => farness(place, goal) < bound)
     .reduce<Way | undefined>((best, way) => (best ? shorter(best, way) : way), undefined)
 }
 

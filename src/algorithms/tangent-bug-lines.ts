@@ -2,6 +2,7 @@ import { pseudocode } from './pseudocode'
 
 /** Both variants of Tangent Bug in one list, so that each event's line is found in one place. */
 export const { text, line } = pseudocode({
+  start: 'sense the square around the start',
   report: 'variant report (Algorithms 3 and 4):',
   follow: '  follow the simplest path to the goal until it is blocked within range',
   loop: '  if the rover was blocked at this place before: it goes round for ever',

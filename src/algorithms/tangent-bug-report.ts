@@ -28,14 +28,16 @@ export function driveAsInReport(rover: Rover, notes: DriveNotes): DriveAnswer {
     const here = placeName(rover.position)
     const before = stepsWhenBlocked.get(here)
     if (before !== undefined) {
-      notes.at(line.loop)
+      notes.at(line.loop).loop(before)
       const reason = `blocked at ${here} again, in the same state as at step ${before}`
       return { status: 'loop', reason }
     }
     stepsWhenBlocked.set(here, rover.steps)
 
-    const end = bestEnd(rover, blocking)
-    notes.at(line.end).target(end.place, end.steps)
+    const ends = endsInReach(rover, blocking)
+    const end = ends.reduce(shorter)
+    notes.at(line.end).nodes(ends)
+    notes.target(end.place, end.steps)
     notes.at(line.approach)
     while (distance(rover.position, end.place) > 1 && !isAtGoal()) {
       go(simplestStep(rover.position, end.place))
@@ -51,7 +53,8 @@ export function driveAsInReport(rover: Rover, notes: DriveNotes): DriveAnswer {
     notes.at(line.followBoundary)
     do {
       if (walk.isAround) {
-        notes.at(line.loop)
+        notes.at(line.loop).around(walk.taken.length)
+        notes.loop(rover.steps - walk.taken.length)
         const reason = `went round the obstacle once, so the state of step ${rover.steps - walk.taken.length} came back`
         return { status: 'loop', reason }
       }
@@ -78,17 +81,17 @@ function obstacleWithinRange(rover: Rover): Point | undefined {
 }
 
 /**
- * The end of the sensed obstacle (a point of discontinuity) that is best to go round: an end is a
- * cell with at most one sensed obstacle cell on its four sides, or with the fewest if there is none.
+ * The ends of the sensed obstacle (points of discontinuity) that can be approached: cells with at
+ * most one sensed obstacle cell on their four sides, or those with the fewest if there is none.
  */
-function bestEnd(rover: Rover, blocking: Point): Way {
+function endsInReach(rover: Rover, blocking: Point): Way[] {
   const cells = sensedObstacle(rover, blocking).filter(
     (cell) => freeSteps(rover, cell) >= distance(rover.position, cell) - 1,
   )
   const counts = cells.map((cell) => obstaclesOnSides(rover, cell))
   const limit = Math.max(1, Math.min(...counts))
   const ends = cells.filter((_, i) => counts[i] <= limit)
-  return ends.map((end) => wayOver(rover, end)).reduce(shorter)
+  return ends.map((end) => wayOver(rover, end))
 }
 
 function obstaclesOnSides(rover: Rover, { x, y }: Point): number {

@@ -1,10 +1,12 @@
-import { type Direction, DX, DY, isDiagonal, stepOffsets } from '../grid/directions'
-import { type Cell, type Grid, isObstacle } from '../grid/grid'
+import { DX, DY, isDiagonal, stepOffsets } from '../grid/directions'
+import { type Cell, isInside, pointOf } from '../grid/grid'
 import type { Problem } from '../grid/problem'
-import { allLegalSteps } from '../grid/steps'
+import { allLegalSteps, obstaclesAround } from '../grid/steps'
+import { EVENT } from '../trace/events'
+import type { Tape } from '../trace/tape'
 import { costParam } from './costs'
 import { offlinePlanner } from './planner'
-import { type Roadmap, roadmapPseudocode, searchRoadmap, type VisitNeighbour } from './roadmap'
+import { edgeTo, type Roadmap, roadmapPhases, roadmapPseudocode, searchRoadmap } from './roadmap'
 
 const { text, line } = roadmapPseudocode({
   vertices: 'each free cell diagonal to an obstacle, both cells between them free',
@@ -21,6 +23,7 @@ export const visibilityGraph = offlinePlanner({
   complete: () => true,
   optimal: ({ cost }, diagonal) => cost === 'cells' && diagonal === 'only-when-no-obstacles',
   params: [costParam],
+  phases: roadmapPhases,
   pseudocode: text,
   source:
     'Report, IV.B; T. Lozano-Pérez and M. A. Wesley, "An algorithm for planning collision-free paths among polyhedral obstacles", 1979',
@@ -32,69 +35,79 @@ export const visibilityGraph = offlinePlanner({
     } as const
     const { cost } = params
     const task = { problem, cost, failure, lines: line, tape, progress }
-    return searchRoadmap(visibilityRoadmap(problem), task)
+    tape?.at(line.vertices).write(EVENT.phase, -1, 0)
+    return searchRoadmap(visibilityRoadmap(problem, tape), task)
   },
 })
 
-/** For each cell whether it is a vertex: start, goal, or the free corner of an obstacle (Fig. 4). */
-function markVertices({ grid, start, goal }: Problem): Uint8Array {
+/** The cells that are vertices: start, goal, and the free corners of obstacles (Fig. 4). */
+function findVertices({ grid, start, goal }: Problem, tape: Tape | undefined): Int32Array {
+  const offsets = stepOffsets(grid.width)
   const isVertex = new Uint8Array(grid.walls.length)
-  isVertex[start] = 1
-  isVertex[goal] = 1
-  for (let cell = 0; cell < grid.walls.length; cell++) {
-    if (grid.walls[cell]) markCorners(grid, cell, isVertex)
+  const vertices: Cell[] = []
+  const add = (cell: Cell) => {
+    if (isVertex[cell]) return
+    isVertex[cell] = 1
+    vertices.push(cell)
+    tape?.write(EVENT.vertex, cell)
   }
-  return isVertex
-}
-
-function markCorners(grid: Grid, obstacle: number, isVertex: Uint8Array): void {
-  const x = obstacle % grid.width
-  const y = Math.floor(obstacle / grid.width)
-  const isFree = (d: number) => !isObstacle(grid, x + DX[d & 7], y + DY[d & 7])
-  for (let d = 1; d < 8; d += 2) {
-    if (isFree(d) && isFree(d - 1) && isFree(d + 1)) {
-      isVertex[(y + DY[d]) * grid.width + x + DX[d]] = 1
+  add(start)
+  add(goal)
+  for (let obstacle = 0; obstacle < grid.walls.length; obstacle++) {
+    if (!grid.walls[obstacle]) continue
+    const around = obstaclesAround(grid, obstacle)
+    const { x, y } = pointOf(grid.width, obstacle)
+    for (let d = 1; d < 8; d += 2) {
+      const isCorner = (around & CORNER[d]) === 0
+      const cell = obstacle + offsets[d]
+      if (tape && isInside(grid, x + DX[d], y + DY[d])) {
+        tape.write(EVENT.test, cell, obstacle, isCorner ? 1 : 0)
+      }
+      if (isCorner) add(cell)
     }
   }
+  return Int32Array.from(vertices)
 }
+
+/** For each diagonal direction the three directions whose cells must be free around a corner. */
+const CORNER = Uint8Array.from({ length: 8 }, (_, d) =>
+  isDiagonal(d) ? (1 << (d - 1)) | (1 << d) | (1 << ((d + 1) & 7)) : 0,
+)
 
 /**
  * The visibility graph, whose edges are found by looking: all cells with a free simplest path from
  * or to a vertex lie on rays that bend once, so walking these rays finds its neighbours in time
  * that grows with what it sees, not with the number of vertices.
  */
-function visibilityRoadmap(problem: Problem): Roadmap {
+function visibilityRoadmap(problem: Problem, tape: Tape | undefined): Roadmap {
   const { grid, diagonal } = problem
   const legal = allLegalSteps(grid, diagonal)
   const offsets = stepOffsets(grid.width)
-  const isVertex = markVertices(problem)
+  const vertices = findVertices(problem, tape)
+  /** For each cell the place of its vertex, counted from 1; 0 if it is none. */
   const places = new Int32Array(grid.walls.length)
-  const vertices = Int32Array.from(cellsOf(isVertex))
-  vertices.forEach((cell, i) => {
-    places[cell] = i
-  })
+  for (let i = 0; i < vertices.length; i++) places[vertices[i]] = i + 1
 
-  const walk = (from: Cell, d: Direction, outward: boolean, visit: VisitNeighbour): void => {
-    const offset = offsets[d]
-    for (let cell = from; (legal[cell] >> d) & 1; ) {
-      cell += offset
-      if (isVertex[cell]) visit(places[cell], outward)
-    }
-  }
-  const eachNeighbour = (vertex: number, visit: VisitNeighbour): void => {
+  const edgesOf = (vertex: number, edges: Int32Array): number => {
+    let count = 0
     for (let d = 0; d < 8; d++) {
-      walk(vertices[vertex], d, true, visit)
-      for (let cell = vertices[vertex]; (legal[cell] >> d) & 1; ) {
-        cell += offsets[d]
-        // A simplest path begins with its diagonal part: after a straight ray it is walked backwards.
-        walk(cell, (d + 1) & 7, isDiagonal(d), visit)
-        walk(cell, (d + 7) & 7, isDiagonal(d), visit)
+      // A simplest path begins with its diagonal part: after a straight ray it is walked backwards.
+      const outward = (d & 1) as 0 | 1
+      const offset = offsets[d]
+      for (let bend = vertices[vertex]; (legal[bend] >> d) & 1; ) {
+        bend += offset
+        if (places[bend] > 0) edges[count++] = edgeTo(places[bend] - 1, 1)
+        for (let turn = -1; turn <= 1; turn += 2) {
+          const second = (d + turn) & 7
+          const onward = offsets[second]
+          for (let cell = bend; (legal[cell] >> second) & 1; ) {
+            cell += onward
+            if (places[cell] > 0) edges[count++] = edgeTo(places[cell] - 1, outward)
+          }
+        }
       }
     }
+    return count
   }
-  return { vertices, eachNeighbour }
-}
-
-function* cellsOf(marks: Uint8Array): Generator<number> {
-  for (let cell = 0; cell < marks.length; cell++) if (marks[cell]) yield cell
+  return { vertices, edgesOf }
 }

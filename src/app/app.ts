@@ -1,31 +1,32 @@
 import { announcer } from './announcer'
+import { endWelcome } from './arrival'
 import { aboutDialog } from './dialogs/about-planner'
 import { dialog } from './dialogs/dialog'
 import { generateDialog } from './dialogs/generate'
 import { newMapDialog } from './dialogs/new-map'
 import { scenariosDialog } from './dialogs/scenarios'
 import { byId } from './element'
-import { bindFiles, saveFile } from './files'
+import { bindFiles } from './files'
 import { drawIcons } from './icons'
 import { keep } from './keeper'
 import { hint } from './panels/hint'
 import { mapMenu } from './panels/map-menu'
 import { messages } from './panels/messages'
 import { plannerCard } from './panels/planner-card'
+import { playbackBar } from './panels/playback-bar'
 import { resultCard } from './panels/result-card'
+import { stepsCard } from './panels/steps-card'
 import { toolbar } from './panels/toolbar'
 import { type Planning, planningFor } from './planning'
-import { Stage } from './stage'
+import { savers } from './save'
+import { SHOWCASE, type Tempo, WELCOME } from './speeds'
+import { type Panel, Stage } from './stage'
 import { beginWith } from './start'
-import { initialState, type State } from './state'
+import { initialState, type Shown, type State } from './state'
 import { browserShelf, loadPreferences, loadSetup } from './storage'
 import { createStore, type Store } from './store'
 import { bindInput } from './tools/bind'
 import { clearObstacles, hidePath, tell } from './transitions'
-
-const PLAYED_ONCE = { duration: 1000, times: 1, pause: 0 }
-/** For newcomers: slow enough to see what is going on, and more than once. */
-const SHOWCASE = { duration: 4500, times: 3, pause: 1500 }
 
 /** Puts the page together: the state, what changes it, and what shows it. */
 export function startApp(): void {
@@ -35,9 +36,8 @@ export function startApp(): void {
   const map = byId('map', HTMLDivElement)
   drawIcons(document)
 
-  const planning = planningFor(store)
+  const planning = planningFor(store, welcomes(store, isFirstVisit))
   const stage = new Stage(store, map, planning.tick)
-  playPlans(store, stage, isFirstVisit)
   keep(store, shelf)
   stage.open(panels(store, planning, stage))
   bindInput(map, store, openHelp)
@@ -48,24 +48,22 @@ export function startApp(): void {
 
 const openHelp = () => byId('help-dialog', HTMLDialogElement).showModal()
 
-function panels(
-  store: Store<State>,
-  planning: Planning,
-  stage: Stage,
-): readonly ((state: State) => void)[] {
+function panels(store: Store<State>, planning: Planning, stage: Stage): readonly Panel[] {
   dialog('help-dialog')
   mapMenu({
     new: newMapDialog(store),
     scenarios: scenariosDialog(store),
     generate: generateDialog(store),
     open: bindFiles(store),
-    save: () => saveFile(store),
+    ...savers(store, () => stage.scene()),
     'clear-obstacles': () => store.update(clearObstacles),
     'clear-path': () => store.update(hidePath),
   })
   return [
     plannerCard(store, aboutDialog(store)),
     resultCard(planning),
+    stepsCard(store),
+    playbackBar(store),
     toolbar(store, openHelp),
     messages(store),
     hint(store, () => stage.coversChanged(true)),
@@ -74,21 +72,19 @@ function panels(
 }
 
 /** A plan that arrives is played; at once while the pointer is down, and if motion is unwelcome. */
-function playPlans(store: Store<State>, stage: Stage, isFirstVisit: boolean): void {
+function welcomes(store: Store<State>, isFirstVisit: boolean): (shown: Shown) => Tempo | null {
   const stillness = window.matchMedia('(prefers-reduced-motion: reduce)')
   let isShowcase = isFirstVisit
   const endShowcase = () => {
-    if (isShowcase) stage.stop()
+    if (isShowcase) store.update(endWelcome)
     isShowcase = false
   }
   window.addEventListener('pointerdown', endShowcase, { once: true })
   window.addEventListener('keydown', endShowcase, { once: true })
 
-  store.subscribe(({ setup, shown }, before) => {
-    if (setup !== before.setup) stage.stop()
-    if (!shown || shown === before.shown) return
-    const atOnce = shown.instant || shown.setup !== setup || stillness.matches
-    if (atOnce) stage.stop()
-    else stage.play(shown, isShowcase ? SHOWCASE : PLAYED_ONCE)
-  })
+  return (shown) => {
+    const atOnce = shown.instant || shown.setup !== store.state.setup || stillness.matches
+    if (atOnce) return null
+    return isShowcase ? SHOWCASE : WELCOME
+  }
 }

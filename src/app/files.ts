@@ -1,10 +1,9 @@
 import { InputError } from '../grid/errors'
 import { openMap } from '../grid/formats/open-map'
-import { saveProject } from '../grid/formats/project-file'
 import { byId } from './element'
 import type { State } from './state'
 import type { Store } from './store'
-import { changeMap, say, tell } from './transitions'
+import { changeMap, tell } from './transitions'
 
 /** More than any map needs; a larger file is not even read. */
 const MOST_BYTES = 64 * 2 ** 20
@@ -29,19 +28,6 @@ async function openFile(store: Store<State>, file: File): Promise<void> {
     const why = error instanceof Error ? error.message : String(error)
     store.update((state) => tell(state, 'error', `${file.name} was not opened. ${why}`))
   }
-}
-
-/** Hands the map to the browser as a file to download. */
-export function saveFile(store: Store<State>): void {
-  const { problem } = store.state.setup
-  const { width, height } = problem.grid
-  const url = URL.createObjectURL(new Blob([saveProject(problem)], { type: 'application/json' }))
-  const link = document.createElement('a')
-  link.href = url
-  link.download = `path-planner-${width}x${height}.json`
-  link.click()
-  URL.revokeObjectURL(url)
-  store.update((state) => say(state, `Saved as ${link.download}.`))
 }
 
 /** Binds the file input and dropping a file anywhere on the page; returns what asks for a file. */

@@ -5,8 +5,8 @@ import { isSettled, type State, visiblePlan } from './state'
  * What the map's element says of itself, so that cells can be found on the screen and the state be
  * known without looking at pixels.
  */
-export function mapAttributes(state: State, isPlaying: boolean): Record<string, string> {
-  const { view, setup, run, cursor, cursorShown } = state
+export function mapAttributes(state: State): Record<string, string> {
+  const { view, setup, run, cursor, cursorShown, playing } = state
   const { grid, start, goal } = setup.problem
   const name = (cell: number) => `${cell % grid.width},${Math.floor(cell / grid.width)}`
   return {
@@ -21,7 +21,7 @@ export function mapAttributes(state: State, isPlaying: boolean): Record<string, 
     planner: setup.plannerId,
     status: statusOf(state),
     cells: isSettled(state) && state.shown ? String(state.shown.outcome.path.length) : '',
-    playing: String(isPlaying),
+    playing: String(playing !== null),
     run: run.kind,
   }
 }

@@ -1,17 +1,23 @@
 import { EVENT } from '../trace/events'
 import type { TapeColumns } from '../trace/tape'
 
-/** Share of the time that belongs to search and field, if something moves after them. */
+/** Share of the time that belongs to search and fields, if something moves after them. */
 const SEARCH_SHARE = 0.45
 
-const isMove = (kind: number): boolean => kind === EVENT.step || kind === EVENT.path
+const MOVES: ReadonlySet<number> = new Set([EVENT.step, EVENT.path])
 
-const isSearch = (kind: number): boolean =>
-  kind === EVENT.open ||
-  kind === EVENT.close ||
-  kind === EVENT.vertex ||
-  kind === EVENT.edge ||
-  kind === EVENT.potential
+const SEARCHES: ReadonlySet<number> = new Set([
+  EVENT.row,
+  EVENT.test,
+  EVENT.vertex,
+  EVENT.edge,
+  EVENT.refuse,
+  EVENT.open,
+  EVENT.close,
+  EVENT.attraction,
+  EVENT.repulsion,
+  EVENT.potential,
+])
 
 /**
  * Plays a tape so that it can be followed: a search of thousands of events takes about as long as
@@ -20,8 +26,8 @@ const isSearch = (kind: number): boolean =>
  */
 export class Pace {
   readonly #tape: TapeColumns
-  readonly #moveWeight: number
-  readonly #searchWeight: number
+  /** How much of the time an event takes, by its kind. */
+  readonly #weights = new Float64Array(256)
   #time = 0
   #done = 0
 
@@ -30,24 +36,32 @@ export class Pace {
     let moves = 0
     let searches = 0
     for (let i = 0; i < tape.length; i++) {
-      if (isMove(tape.kinds[i])) moves++
-      else if (isSearch(tape.kinds[i])) searches++
+      if (MOVES.has(tape.kinds[i])) moves++
+      else if (SEARCHES.has(tape.kinds[i])) searches++
     }
     const searchShare = searches === 0 ? 0 : moves === 0 ? 1 : SEARCH_SHARE
-    this.#searchWeight = searchShare / Math.max(1, searches)
-    this.#moveWeight = (1 - searchShare) / Math.max(1, moves)
+    for (const kind of SEARCHES) this.#weights[kind] = searchShare / Math.max(1, searches)
+    for (const kind of MOVES) this.#weights[kind] = (1 - searchShare) / Math.max(1, moves)
+  }
+
+  /** What share of the time is over after so many events. It is begun there. */
+  beginAt(time: number): number {
+    this.#time = 0
+    this.#done = 0
+    while (this.#time < time) this.#next()
+    return this.#done
   }
 
   /** How many events have happened when `share` of the time is over. Asked with rising shares only. */
   timeAt(share: number): number {
-    const { kinds, length } = this.#tape
+    const { length } = this.#tape
     if (share >= 1) this.#time = length
-    while (this.#time < length && this.#done < share) {
-      const kind = kinds[this.#time]
-      if (isMove(kind)) this.#done += this.#moveWeight
-      else if (isSearch(kind)) this.#done += this.#searchWeight
-      this.#time++
-    }
+    while (this.#time < length && this.#done < share) this.#next()
     return this.#time
+  }
+
+  #next(): void {
+    this.#done += this.#weights[this.#tape.kinds[this.#time]]
+    this.#time++
   }
 }

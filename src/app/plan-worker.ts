@@ -34,8 +34,9 @@ function answer({ id, problem, plannerId, params, seed }: WorkerQuestion): void 
   ])
 }
 
-function frameBuffers({ search, known, felt, potential }: Frame): ArrayBufferLike[] {
-  return [search, known, felt, ...(potential ? [potential] : [])].map((array) => array.buffer)
+function frameBuffers({ search, known, felt, fields }: Frame): ArrayBufferLike[] {
+  const written = Object.values(fields).filter((field) => field !== null)
+  return [search, known, felt, ...written].map((array) => array.buffer)
 }
 
 function send(message: WorkerAnswer, buffers: ArrayBufferLike[] = []): void {

@@ -1,6 +1,7 @@
 import { planningWorker } from './planning-worker'
 import { Solver } from './solver'
-import type { State } from './state'
+import type { Tempo } from './speeds'
+import type { Shown, State } from './state'
 import type { Store } from './store'
 import {
   planArrived,
@@ -21,14 +22,20 @@ export interface Planning {
   tick(): void
 }
 
-/** Joins the solver to the state: every new setup is planned, and what comes of it is shown. */
-export function planningFor(store: Store<State>): Planning {
+/**
+ * Joins the solver to the state: every new setup is planned, and what comes of it is shown.
+ * @param welcome how a new plan is played; `null` if its end is to be shown at once
+ */
+export function planningFor(
+  store: Store<State>,
+  welcome: (shown: Shown) => Tempo | null,
+): Planning {
   const solver = new Solver(planningWorker, () => performance.now(), {
     started: () => store.update(planStarted),
     progressed: (done) => store.update((state) => planProgressed(state, done)),
     arrived({ setup, instant }, { outcome, tape, last, milliseconds }) {
       const shown = { setup, instant, outcome, tape, last, milliseconds }
-      store.update((state) => planArrived(state, shown))
+      store.update((state) => planArrived(state, shown, welcome(shown)))
     },
     failed: ({ setup }, message) => store.update((state) => planFailed(state, setup, message)),
   })

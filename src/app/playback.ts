@@ -1,48 +1,75 @@
-import type { Frame } from '../trace/frame'
-import { Player } from '../trace/player'
+import type { TapeColumns } from '../trace/tape'
 import { Pace } from './pacing'
-import type { Shown } from './state'
+import { scoreOf, stepAt } from './score'
+import type { Tempo } from './speeds'
 
-export interface PlaybackSettings {
-  /** From the first to the last event, in milliseconds. */
-  readonly duration: number
-  /** How often it is played; after each time the end stays for `pause` milliseconds. */
-  readonly times: number
-  readonly pause: number
+/** What is being played: `time` events of the tape have happened so far. */
+export interface Played {
+  readonly tape: TapeColumns
+  readonly tempo: Tempo
+  readonly time: number
 }
 
-/** A plan on its way from the first to the last event of its tape. */
+/** A tape on its way to its end. Knows no clock: it is told what time it is. */
 export class Playback {
-  readonly #shown: Shown
-  readonly #settings: PlaybackSettings
-  #player: Player
-  #pace: Pace
+  readonly #tape: TapeColumns
+  readonly #tempo: Tempo
+  readonly #timeAfter: (elapsed: number) => number
   #began: number | null = null
-  #round = 0
+  #time: number
 
-  constructor(shown: Shown, settings: PlaybackSettings) {
-    this.#shown = shown
-    this.#settings = settings
-    this.#player = new Player(shown.tape)
-    this.#pace = new Pace(shown.tape)
+  constructor({ tape, tempo, time }: Played) {
+    this.#tape = tape
+    this.#tempo = tempo
+    this.#time = time
+    this.#timeAfter =
+      tempo.kind === 'steps' ? bySteps(tape, time, tempo.perSecond) : whole(tape, time, tempo)
+  }
+
+  /** Whether it is this that is being played, and nobody moved it meanwhile. */
+  isPlaying({ tape, tempo, time }: Played): boolean {
+    return tape === this.#tape && tempo === this.#tempo && time === this.#time
   }
 
   /**
-   * The picture at the moment `now`, in milliseconds; time starts with the first call. `null` when
-   * all is over.
+   * How many events have happened at the moment `now`, in milliseconds; it begins with the first
+   * call. Infinity when all is over.
    */
-  frameAt(now: number): Frame | null {
-    const { duration, pause, times } = this.#settings
+  timeAt(now: number): number {
     this.#began ??= now
-    const elapsed = now - this.#began
-    const round = Math.floor(elapsed / (duration + pause))
-    const inRound = elapsed - round * (duration + pause)
-    if (round >= times || (round === times - 1 && inRound >= duration)) return null
-    if (round !== this.#round) {
-      this.#round = round
-      this.#player = new Player(this.#shown.tape)
-      this.#pace = new Pace(this.#shown.tape)
+    this.#time = this.#timeAfter(now - this.#began)
+    return this.#time
+  }
+}
+
+/** The first step is taken at once: whoever presses play sees that it plays. */
+function bySteps(tape: TapeColumns, from: number, perSecond: number): (elapsed: number) => number {
+  const score = scoreOf(tape)
+  const first = stepAt(score, from) + 1
+  const last = score.steps.length - 1
+  return (elapsed) => {
+    const step = first + Math.floor((elapsed * perSecond) / 1000)
+    return step < last ? score.steps[step] : Number.POSITIVE_INFINITY
+  }
+}
+
+function whole(
+  tape: TapeColumns,
+  from: number,
+  { duration, times, pause }: Extract<Tempo, { kind: 'whole' }>,
+): (elapsed: number) => number {
+  let pace = new Pace(tape)
+  const begun = duration * pace.beginAt(from)
+  let round = 0
+  return (elapsed) => {
+    const all = begun + elapsed
+    const now = Math.floor(all / (duration + pause))
+    const inRound = all - now * (duration + pause)
+    if (now >= times || (now === times - 1 && inRound >= duration)) return Number.POSITIVE_INFINITY
+    if (now !== round) {
+      round = now
+      pace = new Pace(tape)
     }
-    return this.#player.moveTo(this.#pace.timeAt(inRound / duration))
+    return pace.timeAt(inRound / duration)
   }
 }

@@ -1,21 +1,23 @@
 import type { Scene } from '../render/scene'
 import { darkTheme, lightTheme } from '../render/theme'
-import type { Frame } from '../trace/frame'
+import type { Moment } from './moment'
 import { plannerOf, type Setup, valuesOf } from './setup'
-import { type State, visiblePlan } from './state'
+import type { State } from './state'
 
-/** What is to be drawn. @param frame the picture of the plan at this moment; `null` for its end */
-export function sceneOf(state: State, isDark: boolean, frame: Frame | null): Scene {
-  const { setup, preferences, cursor, cursorShown } = state
-  const shown = visiblePlan(state)
+/** What is to be drawn. */
+export function sceneOf(state: State, moment: Moment | null, isDark: boolean): Scene {
+  const { setup, preferences, cursor, cursorShown, hovered } = state
+  const shown = moment?.shown
   return {
     problem: setup.problem,
     theme: isDark ? darkTheme : lightTheme,
-    plan: shown && { tape: shown.tape, frame: frame ?? shown.last },
+    plan: moment && { tape: moment.shown.tape, frame: moment.frame },
     sensorRange: sensorRangeOf(shown?.setup ?? setup),
+    sight: preferences.sight,
     // Where there is none, nothing need look for it in a long tape.
-    showPotential: preferences.showPotential && shown !== null && shown.last.potential !== null,
+    showPotential: preferences.showPotential && shown !== undefined && shown.last.field !== null,
     cursor: cursorShown ? cursor : -1,
+    hovered,
   }
 }
 

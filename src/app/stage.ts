@@ -1,15 +1,21 @@
 import { Picture } from '../render/picture'
+import type { Scene } from '../render/scene'
 import { Cards } from './layout/cards'
 import { mapAttributes, mapLabel } from './map-attributes'
-import { Playback, type PlaybackSettings } from './playback'
+import { type Moment, Moments } from './moment'
+import { Playback } from './playback'
 import { sceneOf } from './scene'
-import type { Shown, State } from './state'
+import { type State, visiblePlan } from './state'
 import type { Store } from './store'
 import { layOut } from './transitions'
+import { played } from './transport'
+
+/** Shows a state, and the plan at the moment at which its cursor stands. */
+export type Panel = (state: State, moment: Moment | null) => void
 
 /**
- * What is seen: in the one animation frame of the page the panels show the state, the layout is
- * measured, the playback goes on, and the picture is drawn.
+ * What is seen: in the one animation frame of the page the playback goes on, the panels show the
+ * state, the layout is measured, and the picture is drawn.
  */
 export class Stage {
   readonly #store: Store<State>
@@ -19,7 +25,8 @@ export class Stage {
   readonly #lightness = window.matchMedia('(prefers-color-scheme: light)')
   /** Called first in every frame. */
   readonly #tick: () => void
-  #panels: readonly ((state: State) => void)[] = []
+  readonly #moments = new Moments()
+  #panels: readonly Panel[] = []
   #playback: Playback | null = null
   #rendered: State | null = null
   #layout: 'measured' | 'grown' | 'rearranged' = 'rearranged'
@@ -43,22 +50,15 @@ export class Stage {
   }
 
   /** The first frame comes next. */
-  open(panels: readonly ((state: State) => void)[]): void {
+  open(panels: readonly Panel[]): void {
     this.#panels = panels
     this.#resize()
   }
 
-  play(shown: Shown, settings: PlaybackSettings): void {
-    this.#playback = new Playback(shown, settings)
-    this.#describe()
-    this.#request()
-  }
-
-  /** What is being played is at its end at once. */
-  stop(): void {
-    this.#playback = null
-    this.#describe()
-    this.#request()
+  /** What is drawn of the state as it is now. */
+  scene(): Scene {
+    const { state } = this.#store
+    return sceneOf(state, this.#moments.of(state), this.#isDark(state))
   }
 
   /** Something that floats above the map has another size or place. */
@@ -77,20 +77,32 @@ export class Stage {
   #draw(now: number): void {
     this.#isRequested = false
     this.#tick()
+    this.#play(now)
     if (this.#store.state !== this.#rendered) this.#showPanels(this.#store.state)
     if (this.#layout !== 'measured') this.#measure()
     const { state } = this.#store
     this.#rendered = state
-    const frame = this.#playback?.frameAt(now) ?? null
-    if (!frame) this.#playback = null
-    this.#picture.draw(sceneOf(state, this.#isDark(state), frame), state.view)
-    this.#describe()
-    if (this.#playback || state.run.kind === 'running') this.#request()
+    this.#picture.draw(this.scene(), state.view)
+    if (state.playing || state.run.kind === 'running') this.#request()
+  }
+
+  #play(now: number): void {
+    const { state } = this.#store
+    const tape = visiblePlan(state)?.tape
+    if (!tape || !state.playing) {
+      this.#playback = null
+      return
+    }
+    const playing = { tape, tempo: state.playing, time: state.time }
+    if (!this.#playback?.isPlaying(playing)) this.#playback = new Playback(playing)
+    const time = this.#playback.timeAt(now)
+    this.#store.update((before) => played(before, time))
   }
 
   #showPanels(state: State): void {
     document.documentElement.setAttribute('theme', this.#isDark(state) ? 'dark' : 'light')
-    for (const show of this.#panels) show(state)
+    const moment = this.#moments.of(state)
+    for (const show of this.#panels) show(state, moment)
     this.#map.setAttribute('aria-label', mapLabel(state))
   }
 
@@ -112,7 +124,7 @@ export class Stage {
   }
 
   #describe(): void {
-    const attributes = mapAttributes(this.#store.state, this.#playback !== null)
+    const attributes = mapAttributes(this.#store.state)
     Object.assign(this.#map.dataset, attributes)
   }
 }

@@ -5,7 +5,9 @@ import type { Frame } from '../trace/frame'
 import type { TapeColumns } from '../trace/tape'
 import { emptyHistory, type History } from './history'
 import type { Preferences } from './preferences'
+import type { Place } from './score'
 import type { Setup } from './setup'
+import type { Tempo } from './speeds'
 
 /** A plan as it came from the worker, with the setup that it answers. */
 export interface Shown {
@@ -37,11 +39,14 @@ export interface Message {
 /** What the last action did, for those who do not see it. */
 export interface Said {
   readonly text: string
-  /** Whether the outcome of the plan belongs to it. */
-  readonly withOutcome: boolean
+  /** What belongs to it: what came out, the step on screen, what is known of the cursor's cell. */
+  readonly followedBy: 'nothing' | 'outcome' | 'step' | 'cell'
 }
 
-/** All that the page shows, apart from where an animation has got to. */
+/** The moment after the last event, however many there are. */
+export const THE_END = Number.POSITIVE_INFINITY
+
+/** All that the page shows. */
 export interface State {
   /** On screen: during a stroke it is ahead of `committed`, which undo and Escape go back to. */
   readonly setup: Setup
@@ -51,6 +56,12 @@ export interface State {
   readonly run: Run
   /** "Clear path": no plan is drawn until the next edit. */
   readonly pathHidden: boolean
+  /** How many events of the plan have happened, or `THE_END`. */
+  readonly time: number
+  /** How the plan is being played; `null` while it is not. */
+  readonly playing: Tempo | null
+  /** Where the cursor was put before the map was edited; `null` after it was moved itself. */
+  readonly kept: Place | null
   readonly view: View
   /** Whether the view was fitted to the room that the cards leave, and not moved by hand since. */
   readonly fitted: boolean
@@ -60,6 +71,8 @@ export interface State {
   /** The keyboard's cell, and whether it is on show. */
   readonly cursor: Cell
   readonly cursorShown: boolean
+  /** The cell under the mouse; -1 if none. */
+  readonly hovered: Cell
   readonly preferences: Preferences
   readonly messages: readonly Message[]
   /** How many there have been; the next one's id is not that of any before. */
@@ -75,16 +88,20 @@ export function initialState(setup: Setup, preferences: Preferences): State {
     shown: null,
     run: { kind: 'settled' },
     pathHidden: false,
+    time: THE_END,
+    playing: null,
+    kept: null,
     view: { scale: 1, left: 0, top: 0 },
     fitted: true,
     screen: { width: 0, height: 0 },
     covered: [],
     cursor: setup.problem.start,
     cursorShown: false,
+    hovered: -1,
     preferences,
     messages: [],
     messagesTold: 0,
-    said: { text: '', withOutcome: false },
+    said: { text: '', followedBy: 'nothing' },
   }
 }
 
@@ -100,3 +117,7 @@ export function visiblePlan({ shown, run, pathHidden, setup }: State): Shown | n
   const { grid } = setup.problem
   return shown.tape.width === grid.width && shown.tape.height === grid.height ? shown : null
 }
+
+/** The cell that is asked about, with the mouse or the keyboard; -1 if none. */
+export const cellAskedAbout = ({ hovered, cursor, cursorShown }: State): Cell =>
+  hovered < 0 && cursorShown ? cursor : hovered

@@ -1,10 +1,12 @@
 import { type Cell, emptyGrid } from '../grid/grid'
 import { fitView, keepOnScreen, type Rect, type ScreenSize, type View } from '../render/view'
+import { cursorOn, endWelcome } from './arrival'
 import * as history from './history'
 import { roomForMap } from './layout/room'
 import type { Preferences } from './preferences'
 import { type Setup, withGrid } from './setup'
-import type { Message, Shown, State } from './state'
+import type { Tempo } from './speeds'
+import { type Message, type Shown, type State, THE_END } from './state'
 
 // Transitions are pure: each makes the next state from the last one.
 
@@ -13,9 +15,9 @@ export function edit(state: State, setup: Setup): State {
   if (setup === state.setup) return state
   const { width, height } = state.setup.problem.grid
   const { grid, start } = setup.problem
-  const edited = { ...state, setup, pathHidden: false }
+  const edited = { ...endWelcome(state), setup, pathHidden: false }
   if (grid.width === width && grid.height === height) return edited
-  return fitToRoom({ ...edited, cursor: start, cursorShown: false })
+  return fitToRoom({ ...edited, cursor: start, cursorShown: false, hovered: -1 })
 }
 
 /** Makes all edits since the last commit one step to undo. */
@@ -25,7 +27,7 @@ export function commit(state: State, text: string): State {
     ...state,
     history: history.remember(state.history, state.committed),
     committed: state.setup,
-    said: { text, withOutcome: true },
+    said: { text, followedBy: 'outcome' },
     // Who has changed something needs no greeting any more.
     preferences: prefer(state, { hint: false }).preferences,
   }
@@ -57,10 +59,14 @@ export function attempt(state: State, transition: (state: State) => State): Stat
   }
 }
 
-/** A change to another map, seen as a whole. Errors of earlier attempts to get one are over. */
+/**
+ * A change to another map, seen as a whole and to its end. Errors of earlier attempts to get one
+ * are over.
+ */
 export function changeMap(state: State, setup: Setup, text: string): State {
   const messages = state.messages.filter((message) => message.kind !== 'error')
-  return fitToRoom({ ...change(state, setup, text), messages })
+  const changed = change(state, setup, text)
+  return fitToRoom({ ...changed, messages, time: THE_END, playing: null, kept: null })
 }
 
 export const undo = (state: State): State =>
@@ -83,7 +89,7 @@ function travel(state: State, to: typeof history.undo, words: TravelWords): Stat
     ...edit(state, arrived.setup),
     committed: arrived.setup,
     history: arrived.history,
-    said: { text: words.done, withOutcome: true },
+    said: { text: words.done, followedBy: 'outcome' },
   }
 }
 
@@ -101,9 +107,10 @@ export function planIsSlow(state: State): State {
   return run.kind === 'running' && !run.slow ? { ...state, run: { ...run, slow: true } } : state
 }
 
-export function planArrived(state: State, shown: Shown): State {
+/** @param welcome how it is played if it is shown from its beginning; `null` for its end at once */
+export function planArrived(state: State, shown: Shown, welcome: Tempo | null = null): State {
   const run = shown.setup === state.setup ? { kind: 'settled' as const } : state.run
-  return { ...state, shown, run }
+  return { ...state, shown, run, ...cursorOn(state, shown, welcome) }
 }
 
 /** No plan can be had for this setup; that of an older one is of no interest any more. */
@@ -114,7 +121,7 @@ export function planFailed(state: State, setup: Setup, message: string): State {
 export const planCancelled = (state: State): State => ({ ...state, run: { kind: 'cancelled' } })
 
 export const hidePath = (state: State): State =>
-  say({ ...state, pathHidden: true }, 'The path is hidden until the next change.')
+  say({ ...state, pathHidden: true, playing: null }, 'The path is hidden until the next change.')
 
 export const look = (state: State, view: View): State => ({ ...state, view, fitted: false })
 
@@ -145,7 +152,12 @@ export const moveCursor = (state: State, cursor: Cell): State => ({
   ...state,
   cursor,
   cursorShown: true,
+  // The mouse may still lie there: what is asked about now is the cursor's cell.
+  hovered: -1,
 })
+
+export const hover = (state: State, hovered: Cell): State =>
+  hovered === state.hovered ? state : { ...state, hovered }
 
 /** The cursor goes out of sight; it comes back at `cell`. */
 export const hideCursor = (state: State, cursor = state.cursor): State => ({
@@ -163,7 +175,13 @@ export function prefer(state: State, some: Partial<Preferences>): State {
 /** Said to those who listen; it does not stand anywhere. */
 export const say = (state: State, text: string): State => ({
   ...state,
-  said: { text, withOutcome: false },
+  said: { text, followedBy: 'nothing' },
+})
+
+/** Said of the cursor's cell, with what the planner knows of it. */
+export const sayOfCell = (state: State, text: string): State => ({
+  ...state,
+  said: { text, followedBy: 'cell' },
 })
 
 const MOST_MESSAGES = 3

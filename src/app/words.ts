@@ -1,6 +1,6 @@
 import type { Outcome } from '../algorithms/plan'
-import type { Status } from '../algorithms/planner'
 import { cellName } from '../grid/grid'
+import type { Status } from '../trace/events'
 
 /** How good the news is: it gets its own colour and icon. */
 export type Tone = 'good' | 'proof' | 'bad'

@@ -1,6 +1,7 @@
 import { KNOWN, SEARCH } from '../trace/frame'
 import { pixelOf, rgbOf } from './colour'
 import { heatColours } from './heat'
+import type { Sight } from './scene'
 import type { Theme } from './theme'
 
 /** The theme's colours of cells as pixels. */
@@ -34,17 +35,17 @@ export function cellPalette(theme: Theme): CellPalette {
 
 /**
  * The pixel of an obstacle.
- * @param hasRover whether the planner only knows what its rover senses
- * @param known one of KNOWN; it counts only with a rover
+ * @param known one of KNOWN; it does not count if the world is shown
  */
 export function obstacleColour(
   palette: CellPalette,
-  hasRover: boolean,
+  sight: Sight,
   known: number,
   felt: number,
 ): number {
   if (felt) return palette.feltObstacle
-  return hasRover && known !== KNOWN.obstacle ? palette.unsensedObstacle : palette.obstacle
+  const isVeiled = sight !== 'world' && known !== KNOWN.obstacle
+  return isVeiled ? palette.unsensedObstacle : palette.obstacle
 }
 
 /**
@@ -54,13 +55,13 @@ export function obstacleColour(
  */
 export function freeColour(
   palette: CellPalette,
-  hasRover: boolean,
+  sight: Sight,
   known: number,
   search: number,
   heat: number,
 ): number {
   if (heat >= 0) return palette.heat[heat]
-  if (hasRover) return known === KNOWN.unknown ? palette.unsensed : palette.sensed
+  if (sight !== 'world') return known === KNOWN.unknown ? palette.unsensed : palette.sensed
   if (search === SEARCH.closed) return palette.closed
   return search === SEARCH.open ? palette.open : palette.free
 }

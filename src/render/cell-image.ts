@@ -1,8 +1,9 @@
+import type { Field } from '../trace/frame'
 import type { TapeColumns } from '../trace/tape'
 import { type CellPalette, cellPalette } from './cell-colour'
-import { type PotentialRange, potentialRange } from './heat'
+import { type FieldRange, fieldRange } from './heat'
 import { type Box, emptyBox, paintCells, paintEdits, paintEvents } from './paint-cells'
-import { hasRover, planOnMap, type Scene } from './scene'
+import { planOnMap, type Scene, type Sight, sightOf } from './scene'
 import type { Theme } from './theme'
 
 /** What an image was painted from. The frame is not kept: it changes under the same name. */
@@ -13,17 +14,19 @@ interface Painted {
   readonly theme: Theme
   readonly tape: TapeColumns | null
   readonly time: number
-  readonly hasRover: boolean
-  readonly showPotential: boolean
+  readonly sight: Sight
+  /** The field on show. */
+  readonly field: Field | null
 }
 
 function paintedFrom(scene: Scene): Painted {
   const { width, height, walls } = scene.problem.grid
-  const { theme, showPotential } = scene
+  const { theme } = scene
   const plan = planOnMap(scene)
   const tape = plan?.tape ?? null
   const time = plan?.frame.time ?? 0
-  return { width, height, walls, theme, tape, time, hasRover: hasRover(scene), showPotential }
+  const field = scene.showPotential && plan ? plan.frame.field : null
+  return { width, height, walls, theme, tape, time, sight: sightOf(scene), field }
 }
 
 /** Whether `now` differs from `before` only by later events and edited walls. */
@@ -34,8 +37,8 @@ function onlyAdds(before: Painted, now: Painted): boolean {
     now.theme === before.theme &&
     now.tape === before.tape &&
     now.time >= before.time &&
-    now.hasRover === before.hasRover &&
-    now.showPotential === before.showPotential
+    now.sight === before.sight &&
+    now.field === before.field
   )
 }
 
@@ -45,8 +48,8 @@ function onlyAdds(before: Painted, now: Painted): boolean {
  */
 export class CellImage {
   pixels = new Uint32Array(0)
-  /** Range of the potentials of the tape on show; `null` if they are not shown. */
-  potentials: PotentialRange | null = null
+  /** Range of the field on show; `null` if none is. */
+  fieldRange: FieldRange | null = null
   #painted: Painted | null = null
   #palette: CellPalette | null = null
 
@@ -56,14 +59,14 @@ export class CellImage {
     const now = paintedFrom(scene)
     this.#painted = now
     if (!this.#palette || now.theme !== before?.theme) this.#palette = cellPalette(now.theme)
-    if (now.tape !== before?.tape || now.showPotential !== before.showPotential) {
-      this.potentials = now.tape && now.showPotential ? potentialRange(now.tape) : null
+    if (now.tape !== before?.tape || now.field !== before.field) {
+      this.fieldRange = now.tape && now.field ? fieldRange(now.tape, now.field) : null
     }
     const states = {
       walls: now.walls,
       frame: planOnMap(scene)?.frame ?? null,
-      hasRover: now.hasRover,
-      potentials: this.potentials,
+      sight: now.sight,
+      fieldRange: this.fieldRange,
     }
 
     if (!before || !onlyAdds(before, now)) {

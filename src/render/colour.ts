@@ -11,6 +11,12 @@ export function pixelOf([red, green, blue]: Rgb): number {
   return (0xff000000 | (blue << 16) | (green << 8) | red) >>> 0
 }
 
+/** The `#rrggbb` of an opaque pixel. */
+export function hexOf(pixel: number): string {
+  const [red, green, blue] = [pixel & 255, (pixel >> 8) & 255, (pixel >> 16) & 255]
+  return `#${((red << 16) | (green << 8) | blue).toString(16).padStart(6, '0')}`
+}
+
 /** The colour `part` of the way from `a` to `b`. */
 export function mix(a: Rgb, b: Rgb, part: number): Rgb {
   const between = (i: 0 | 1 | 2) => Math.round(a[i] + (b[i] - a[i]) * part)

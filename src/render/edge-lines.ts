@@ -11,6 +11,7 @@ const ONWARD = [2, 3, 4, 5] as const
  * @param edges pairs of cells, one after the other
  */
 export function edgeLines(columns: number, rows: number, edges: readonly Cell[]): Cell[] {
+  if (edges.length === 0) return []
   // For each direction and cell: how many edges begin there, less those that end.
   const changes = ONWARD.map(() => new Int32Array(columns * rows))
   const add = (from: Cell, to: Cell) => {

@@ -1,22 +1,23 @@
 import { EVENT } from '../trace/events'
+import type { Field } from '../trace/frame'
 import type { TapeColumns } from '../trace/tape'
 import { contrast, mix, type Rgb, rgbOf } from './colour'
 import type { Theme } from './theme'
 
-/** Least and greatest finite potential of a tape. */
-export interface PotentialRange {
+/** Least and greatest finite value of a field of potentials. */
+export interface FieldRange {
   readonly min: number
   readonly max: number
 }
 
 export const HEAT_LEVELS = 256
 
-/** `null` if the tape has no finite potential. */
-export function potentialRange(tape: TapeColumns): PotentialRange | null {
+/** The range of a field over the whole tape; `null` if it has no finite value. */
+export function fieldRange(tape: TapeColumns, field: Field): FieldRange | null {
   let min = Number.POSITIVE_INFINITY
   let max = Number.NEGATIVE_INFINITY
   for (let i = 0; i < tape.length; i++) {
-    if (tape.kinds[i] !== EVENT.potential) continue
+    if (tape.kinds[i] !== EVENT[field]) continue
     const value = tape.values[i]
     if (!Number.isFinite(value)) continue
     if (value < min) min = value
@@ -29,7 +30,7 @@ export function potentialRange(tape: TapeColumns): PotentialRange | null {
  * The colour level of a potential, from 0 to 255; -1 if it is not finite. Potentials grow with the
  * square of the distance, so that levels are even in its root.
  */
-export function heatLevel({ min, max }: PotentialRange, potential: number): number {
+export function heatLevel({ min, max }: FieldRange, potential: number): number {
   if (!Number.isFinite(potential)) return -1
   if (max === min) return 0
   return Math.round(Math.sqrt((potential - min) / (max - min)) * (HEAT_LEVELS - 1))

@@ -3,15 +3,17 @@ import { EVENT } from '../trace/events'
 import type { Frame } from '../trace/frame'
 import type { TapeColumns } from '../trace/tape'
 import { type CellPalette, freeColour, obstacleColour } from './cell-colour'
-import { heatLevel, type PotentialRange } from './heat'
+import { type FieldRange, heatLevel } from './heat'
+import { isKnownObstacle } from './known-obstacles'
+import type { Sight } from './scene'
 
 /** What the colours of cells depend on. */
 export interface CellStates {
   readonly walls: Uint8Array
   readonly frame: Frame | null
-  readonly hasRover: boolean
-  /** `null` if potentials are not shown. */
-  readonly potentials: PotentialRange | null
+  readonly sight: Sight
+  /** Range of the field that was written last; `null` if fields are not shown. */
+  readonly fieldRange: FieldRange | null
 }
 
 /** The smallest box around the cells that were repainted; `right` and `bottom` lie outside it. */
@@ -35,15 +37,14 @@ function include(box: Box, x: number, y: number): void {
 
 /** The pixel of a cell. */
 export function cellPixel(states: CellStates, palette: CellPalette, cell: Cell): number {
-  const { walls, frame, hasRover, potentials } = states
-  if (walls[cell]) {
-    return frame
-      ? obstacleColour(palette, hasRover, frame.known[cell], frame.felt[cell])
-      : palette.obstacle
+  const { walls, frame, sight, fieldRange } = states
+  if (!frame) return walls[cell] ? palette.obstacle : palette.free
+  if (sight === 'known' ? isKnownObstacle(walls, frame, cell) : walls[cell]) {
+    return obstacleColour(palette, sight, frame.known[cell], frame.felt[cell])
   }
-  if (!frame) return palette.free
-  const heat = potentials && frame.potential ? heatLevel(potentials, frame.potential[cell]) : -1
-  return freeColour(palette, hasRover, frame.known[cell], frame.search[cell], heat)
+  const field = frame.field && frame.fields[frame.field]
+  const heat = field && fieldRange ? heatLevel(fieldRange, field[cell]) : -1
+  return freeColour(palette, sight, frame.known[cell], frame.search[cell], heat)
 }
 
 /** Paints every cell, one pixel each, row by row. */
@@ -69,6 +70,8 @@ export function paintEvents(
       case EVENT.close:
       case EVENT.sense:
       case EVENT.feel:
+      case EVENT.attraction:
+      case EVENT.repulsion:
       case EVENT.potential: {
         const cell = tape.cells[i]
         if (cell < 0) break

@@ -1,24 +1,13 @@
 import type { Cell } from '../grid/grid'
-import { KNOWN } from '../trace/frame'
 import type { TapeColumns } from '../trace/tape'
 import { CellCanvas } from './cell-canvas'
 import { CellImage } from './cell-image'
+import { dottedRows, drawGround, drawMarks, drawPlan, latestEdge } from './drawing'
 import { edgeLines } from './edge-lines'
-import { drawHits, drawLeaves } from './layers/boundary-points'
-import { drawCells } from './layers/cells'
-import { drawCursor } from './layers/cursor'
-import { drawEnds } from './layers/ends'
-import { drawFelt } from './layers/felt'
-import { drawLines } from './layers/lines'
-import { drawMLine } from './layers/m-line'
-import { drawPotentials } from './layers/potentials'
-import { drawRims } from './layers/rims'
-import { drawEdges, drawVertices } from './layers/roadmap'
-import { drawRoute } from './layers/route'
-import { drawRover, drawSensedSquare, headingOf } from './layers/rover'
-import { drawTarget } from './layers/target'
+import { drawBorder, drawCells } from './layers/cells'
+import { drawEdges } from './layers/roadmap'
 import { type DeviceScreen, type Placement, placeMap } from './placement'
-import { hasRover, planOnMap, type Scene } from './scene'
+import { planOnMap, type Scene } from './scene'
 import { Sheet } from './sheet'
 import type { View } from './view'
 
@@ -82,20 +71,12 @@ export class Picture {
   }
 
   #drawGround(scene: Scene, place: Placement, ground: readonly unknown[]): void {
-    if (!this.#ground.isOutdated([...ground, this.#paintings])) return
-    const { theme, problem } = scene
+    if (!this.#ground.isOutdated([...ground, this.#paintings, dottedRows(scene)])) return
     const { context } = this.#ground
-    const frame = planOnMap(scene)?.frame
-    const isSeen = (cell: Cell) => !hasRover(scene) || frame?.known[cell] === KNOWN.obstacle
-    this.#ground.fill(theme.outside)
-    drawCells(context, place, theme, this.#cells.canvas)
-    drawLines(context, place, theme)
-    drawRims(context, place, problem.grid, (cell) => (isSeen(cell) ? theme.rim : theme.unsensedRim))
-    if (frame) drawFelt(context, place, theme, problem.grid, frame.felt)
-    const { potentials } = this.#image
-    if (frame?.potential && potentials) {
-      drawPotentials(context, place, theme, problem.grid, frame.potential, potentials)
-    }
+    this.#ground.fill(scene.theme.outside)
+    drawBorder(context, place, scene.theme)
+    drawCells(context, place, this.#cells.canvas)
+    drawGround(context, place, scene, this.#image.fieldRange)
   }
 
   #drawRoadmap(scene: Scene, place: Placement, ground: readonly unknown[]): void {
@@ -104,7 +85,7 @@ export class Picture {
     if (plan?.tape !== this.#edgesTape || edges.length !== this.#edges) {
       this.#edgesTape = plan?.tape
       this.#edges = edges.length
-      this.#lines = edges.length > 0 ? edgeLines(place.columns, place.rows, edges) : []
+      this.#lines = edgeLines(place.columns, place.rows, edges)
     }
     if (!this.#roadmap.isOutdated([...ground, this.#lines])) return
     this.#roadmap.clear()
@@ -124,35 +105,33 @@ export class Picture {
       frame?.leaves.length,
     ]
     if (!this.#plan.isOutdated([...ground, plan?.tape, ...counts])) return
-    const { context } = this.#plan
-    const { theme } = scene
     this.#plan.clear()
-    if (!frame) return
-    drawVertices(context, place, theme, frame.vertices)
-    drawMLine(context, place, theme, frame.mLine)
-    drawRoute(context, place, theme, frame.trail)
-    drawRoute(context, place, theme, frame.path)
-    drawHits(context, place, theme, frame.hits)
-    drawLeaves(context, place, theme, frame.leaves)
+    if (frame) drawPlan(this.#plan.context, place, scene.theme, frame)
   }
 
   #drawMarks(scene: Scene, place: Placement, ground: readonly unknown[]): void {
-    const { problem, theme, cursor } = scene
-    const frame = planOnMap(scene)?.frame
-    const rover = frame?.rover ?? -1
-    const target = frame?.target ?? -1
-    const heading = frame ? headingOf(problem.grid.width, frame.trail, problem.goal) : 0
-    const range = scene.sensorRange
-    const inputs = [problem.start, problem.goal, cursor, rover, target, heading, range]
-    if (!this.#marks.isOutdated([...ground, ...inputs])) return
-    const { context } = this.#marks
+    const { start, goal } = scene.problem
+    const plan = planOnMap(scene)
+    const frame = plan?.frame
+    const inputs = [
+      plan?.tape,
+      start,
+      goal,
+      scene.cursor,
+      scene.hovered,
+      scene.sensorRange,
+      frame?.trail.length,
+      frame?.rover,
+      frame?.target,
+      frame?.following,
+      frame?.atSide,
+      frame?.turn,
+      frame?.test,
+      frame?.refusal,
+    ]
+    const lists = [...latestEdge(scene), null, ...(frame?.nodes ?? [])]
+    if (!this.#marks.isOutdated([...ground, ...inputs, ...lists])) return
     this.#marks.clear()
-    if (rover >= 0 && range > 0) drawSensedSquare(context, place, theme, rover, range)
-    drawEnds(context, place, theme, problem, rover)
-    if (rover >= 0) {
-      if (target >= 0 && target !== rover) drawTarget(context, place, theme, rover, target)
-      drawRover(context, place, theme, rover, heading)
-    }
-    if (cursor >= 0) drawCursor(context, place, theme, cursor)
+    drawMarks(this.#marks.context, place, scene)
   }
 }

@@ -10,6 +10,12 @@ export interface PlanMoment {
   readonly frame: Frame
 }
 
+/**
+ * What is shown of a planner with a rover: the world, with all obstacles and as if nothing had to be
+ * sensed; only what the rover knows, all else veiled; or both, one upon the other.
+ */
+export type Sight = 'both' | 'world' | 'known'
+
 /** All that the drawing of the map depends on, apart from where the map lies on the screen. */
 export interface Scene {
   readonly problem: Problem
@@ -18,10 +24,14 @@ export interface Scene {
   readonly plan: PlanMoment | null
   /** Cells that the rover senses around it; 0 for planners without a rover. */
   readonly sensorRange: number
+  /** It counts only for planners with a rover. */
+  readonly sight: Sight
   /** Whether potentials are shown, as a heat map and, in large cells, as numbers. */
   readonly showPotential: boolean
   /** The keyboard's cell; -1 if the map is not being used by keyboard. */
   readonly cursor: Cell
+  /** The cell that is asked about, by pointer or keyboard; -1 if none. */
+  readonly hovered: Cell
 }
 
 /** The plan; `null` as well if it was made for a map of another size, whose cells are not these. */
@@ -30,7 +40,7 @@ export function planOnMap({ problem, plan }: Scene): PlanMoment | null {
   return plan?.tape.width === width && plan.tape.height === height ? plan : null
 }
 
-/** Whether a plan is on show that knows only what its rover has sensed. */
-export function hasRover(scene: Scene): boolean {
-  return scene.sensorRange > 0 && planOnMap(scene) !== null
+/** What is shown of the map: the world, unless a planner with a rover is on show. */
+export function sightOf(scene: Scene): Sight {
+  return scene.sensorRange > 0 && planOnMap(scene) ? scene.sight : 'world'
 }

@@ -46,6 +46,9 @@ export interface Theme {
   readonly sensor: string
   readonly sensorArea: string
   readonly cursor: string
+  /** A test or a try that succeeded, or failed; never told by these colours alone. */
+  readonly passed: string
+  readonly failed: string
 }
 
 export const darkTheme: Theme = {
@@ -81,6 +84,8 @@ export const darkTheme: Theme = {
   sensor: '#8fd3ff',
   sensorArea: 'rgba(143, 211, 255, 0.12)',
   cursor: '#ffffff',
+  passed: '#4ade80',
+  failed: '#ff7b72',
 }
 
 export const lightTheme: Theme = {
@@ -116,6 +121,8 @@ export const lightTheme: Theme = {
   sensor: '#1f5fae',
   sensorArea: 'rgba(31, 95, 174, 0.10)',
   cursor: '#10204a',
+  passed: '#0b7836',
+  failed: '#c0182b',
 }
 
 export const themes = { dark: darkTheme, light: lightTheme } as const

@@ -28,12 +28,30 @@ export class DriveNotes {
   hit(obstacle: Direction): void {
     this.#hits++
     const cell = this.#cell(stepped(this.#rover.position, obstacle))
-    this.#tape?.write(EVENT.hit, this.#cell(this.#rover.position), cell, this.#hits)
+    this.#tape?.write(EVENT.hit, this.#here(), cell, this.#hits)
+  }
+
+  /** The rover came round the obstacle once, in so many steps. */
+  around(steps: number): void {
+    this.#tape?.write(EVENT.around, this.#here(), -1, steps)
+  }
+
+  /** The rover is in the same state as after `step` steps, so it goes round for ever. */
+  loop(step: number): void {
+    this.#tape?.write(EVENT.loop, this.#here(), -1, step)
+  }
+
+  /** The local tangent graph is drawn up anew, with these nodes. */
+  nodes(ways: readonly { readonly place: Point; readonly steps: number }[]): void {
+    this.#tape?.write(EVENT.scan, this.#here())
+    for (const { place, steps } of ways) {
+      this.#tape?.write(EVENT.node, this.#cell(place), -1, steps)
+    }
   }
 
   /** The rover leaves the boundary: the leave point that belongs to the latest hit point. */
   leave(): void {
-    this.#tape?.write(EVENT.leave, this.#cell(this.#rover.position), -1, this.#hits)
+    this.#tape?.write(EVENT.leave, this.#here(), -1, this.#hits)
   }
 
   /** The obstacle cell in this direction is kept at the rover's side. */
@@ -42,7 +60,7 @@ export class DriveNotes {
   }
 
   turn(turn: 'left' | 'right'): void {
-    this.#tape?.write(EVENT.turn, this.#cell(this.#rover.position), turn === 'left' ? 0 : 1)
+    this.#tape?.write(EVENT.turn, this.#here(), turn === 'left' ? 0 : 1)
   }
 
   mLine(place: Point): void {
@@ -56,7 +74,11 @@ export class DriveNotes {
 
   /** The planner's variable of this number has a new value. */
   value(variable: number, value: number): void {
-    this.#tape?.write(EVENT.value, this.#cell(this.#rover.position), variable, value)
+    this.#tape?.write(EVENT.value, this.#here(), variable, value)
+  }
+
+  #here(): Cell {
+    return this.#cell(this.#rover.position)
   }
 
   #cell({ x, y }: Point): Cell {

@@ -3,38 +3,81 @@
  * value; the comments say what they hold. -1 stands for "no cell" and for cells outside the map.
  */
 export const EVENT = {
-  /** A cell or vertex was reached: cell, parent cell, cost so far. */
-  open: 0,
-  /** Its shortest path is final: cell, -, cost. */
-  close: 1,
+  /** A phase of the planner's work begins: -, which of its phases. */
+  phase: 0,
+  /** The run is over: the cell where it ended, its place in STATUSES. */
+  end: 1,
+
+  // Searches.
+  /** The free cells of a row became vertices of the grid's graph: first cell of the row, their number. */
+  row: 2,
+  /** A cell was tested for being the corner of an obstacle: cell, obstacle cell, 1 if it is else 0. */
+  test: 3,
   /** A vertex of the roadmap: cell. */
-  vertex: 2,
-  /** An edge of the roadmap, in a direction whose simplest path is free: cell, other cell, weight. */
-  edge: 3,
-  /** The potential of a cell: cell, -, potential. */
-  potential: 4,
-  /** The rover's sensor saw a cell for the first time: cell, 1 if it is an obstacle else 0. */
-  sense: 5,
-  /** The rover or the agent came to a cell, the start included: cell, cell before. */
-  step: 6,
-  /** An obstacle stopped the rover (hit point): cell, obstacle cell, its number from 1. */
-  hit: 7,
-  /** The rover left the boundary (leave point): cell, -, its number from 1. */
-  leave: 8,
-  /** The obstacle cell that the rover keeps at its side: cell. */
-  feel: 9,
-  /** Which way round: cell, 0 obstacle on the left, 1 on the right. */
-  turn: 10,
-  /** A cell of the m-line: cell. */
-  mLine: 11,
-  /** Where the rover is heading: cell, -, distance rover → cell → goal. */
-  target: 12,
-  /** A number that the planner decides by: -, which of its variables, its value. */
-  value: 13,
+  vertex: 4,
+  /** An edge of the roadmap, whose simplest path is free: from cell, to cell, weight. */
+  edge: 5,
+  /** No edge: both simplest paths are refused. From cell, to cell, where the first one is. */
+  refuse: 6,
+  /** A cell or vertex was reached: cell, parent cell, cost so far. */
+  open: 7,
+  /** Its shortest path is final: cell, -, cost. */
+  close: 8,
   /** A cell of the path that was found, from start to goal: cell. */
-  path: 14,
+  path: 9,
+
+  // Potential fields.
+  /** The parts of the potential of a cell, and their sum: cell, -, value. */
+  attraction: 10,
+  repulsion: 11,
+  potential: 12,
+
+  // Rovers and agents.
+  /** The rover or the agent came to a cell, the start included: cell, cell before. */
+  step: 13,
+  /** The rover's sensor saw a cell for the first time: cell, 1 if it is an obstacle else 0. */
+  sense: 14,
+  /** The rover or the agent heads for a cell: cell, -, distance or potential by which it was chosen. */
+  target: 15,
+  /** A cell of the m-line: cell. */
+  mLine: 16,
+  /** An obstacle stopped the rover (hit point): cell, obstacle cell, its number from 1. */
+  hit: 17,
+  /** Which way round: cell, 0 obstacle on the left, 1 on the right. */
+  turn: 18,
+  /** The obstacle cell that the rover keeps at its side: cell. */
+  feel: 19,
+  /** The rover came round the obstacle once: cell, -, steps of the round. */
+  around: 20,
+  /** The rover left the boundary (leave point): cell, -, its number from 1. */
+  leave: 21,
+  /** The same state came back: cell, -, the step at which the rover was in it before. */
+  loop: 22,
+  /** The local tangent graph is drawn up anew: cell of the rover. */
+  scan: 23,
+  /** A node of the local tangent graph: cell, -, distance over it to the goal. */
+  node: 24,
+  /** A number that the planner decides by: cell, which of its variables, its value. */
+  value: 25,
+  /** Too many edges to write them all down: those from this cell on are missing. Cell, -, how many are there. */
+  cut: 26,
 } as const
 
 export type EventKind = (typeof EVENT)[keyof typeof EVENT]
 
 export const EVENT_NAMES = Object.keys(EVENT) as readonly (keyof typeof EVENT)[]
+
+/**
+ * How a run ends. `unreachable` is a proof that no path exists; `not-found` only says that this
+ * planner gave up; `loop` that the same state came back.
+ */
+export const STATUSES = [
+  'reached',
+  'unreachable',
+  'not-found',
+  'local-minimum',
+  'dead-end',
+  'loop',
+] as const
+
+export type Status = (typeof STATUSES)[number]

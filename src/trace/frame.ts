@@ -5,6 +5,23 @@ import type { TapeColumns } from './tape'
 /** What the search knows of a cell. */
 export const SEARCH = { untouched: 0, open: 1, closed: 2 } as const
 
+/** The parts of a potential, and their sum. */
+export type Field = 'attraction' | 'repulsion' | 'potential'
+
+/** A cell that was tested for being the corner of an obstacle (report, Fig. 4). */
+export interface Test {
+  readonly cell: Cell
+  readonly obstacle: Cell
+  readonly passed: boolean
+}
+
+/** Two vertices without an edge, and the cell where the simplest path from the first is refused. */
+export interface Refusal {
+  readonly from: Cell
+  readonly to: Cell
+  readonly at: Cell
+}
+
 /** What the rover knows of a cell. */
 export const KNOWN = { unknown: 0, free: 1, obstacle: 2 } as const
 
@@ -14,11 +31,24 @@ export const KNOWN = { unknown: 0, free: 1, obstacle: 2 } as const
  */
 export interface Frame {
   time: number
-  /** For each cell one of SEARCH, one of KNOWN, whether the rover felt it, its potential (or NaN). */
+  /** Which of the planner's phases it is in; -1 before the first. */
+  phase: number
+  /** For each cell one of SEARCH, one of KNOWN, whether the rover felt it. */
   readonly search: Uint8Array
   readonly known: Uint8Array
   readonly felt: Uint8Array
-  potential: Float64Array | null
+  /** How many cells are open and closed, and the latest cost of one. */
+  open: number
+  closed: number
+  cost: number
+  /** How many rows of the map were made vertices of its graph. */
+  rows: number
+  /** The values of each field, NaN where there is none yet, and the field that was written last. */
+  readonly fields: Record<Field, Float64Array | null>
+  field: Field | null
+  /** The latest test for a corner, and the latest pair of vertices that got no edge. */
+  test: Test | null
+  refusal: Refusal | null
   readonly vertices: Cell[]
   /** Pairs of cells, one after the other. */
   readonly edges: Cell[]
@@ -28,9 +58,15 @@ export interface Frame {
   /** Cells walked by the rover or the agent, and the path found by a search. */
   readonly trail: Cell[]
   readonly path: Cell[]
-  /** -1 while there is none. */
+  /** Nodes of the local tangent graph; it counts until an obstacle stops the rover or is left. */
+  readonly nodes: Cell[]
+  /** -1 while there is none; `felt` obstacle cells apart, `atSide` is the one at the rover's side now. */
   rover: Cell
   target: Cell
+  atSide: Cell
+  /** Whether it follows a boundary, and on which side the obstacle is: 0 left, 1 right. */
+  following: boolean
+  turn: number
   /** Latest value of each of the planner's variables. */
   readonly values: number[]
   /** The line of the pseudocode of the latest event; -1 at the start. */
@@ -41,10 +77,18 @@ export function firstFrame({ width, height }: TapeColumns): Frame {
   const cells = width * height
   return {
     time: 0,
+    phase: -1,
     search: new Uint8Array(cells),
     known: new Uint8Array(cells),
     felt: new Uint8Array(cells),
-    potential: null,
+    open: 0,
+    closed: 0,
+    cost: 0,
+    rows: 0,
+    fields: { attraction: null, repulsion: null, potential: null },
+    field: null,
+    test: null,
+    refusal: null,
     vertices: [],
     edges: [],
     mLine: [],
@@ -52,8 +96,12 @@ export function firstFrame({ width, height }: TapeColumns): Frame {
     leaves: [],
     trail: [],
     path: [],
+    nodes: [],
     rover: -1,
     target: -1,
+    atSide: -1,
+    following: false,
+    turn: 0,
     values: [],
     line: -1,
   }
@@ -76,50 +124,99 @@ export function frameAt(tape: TapeColumns, time: number): Frame {
 
 function fold(frame: Frame, tape: TapeColumns, i: number): void {
   const cell = tape.cells[i]
+  const other = tape.others[i]
+  const value = tape.values[i]
   switch (tape.kinds[i]) {
-    case EVENT.open:
-      frame.search[cell] = SEARCH.open
+    case EVENT.phase:
+      frame.phase = other
+      frame.test = null
+      frame.refusal = null
       break
-    case EVENT.close:
-      frame.search[cell] = SEARCH.closed
+    case EVENT.row:
+      frame.rows++
+      break
+    case EVENT.test:
+      frame.test = { cell, obstacle: other, passed: value === 1 }
       break
     case EVENT.vertex:
       frame.vertices.push(cell)
       break
     case EVENT.edge:
-      frame.edges.push(cell, tape.others[i])
+      frame.edges.push(cell, other)
+      frame.refusal = null
+      break
+    case EVENT.refuse:
+      frame.refusal = { from: cell, to: other, at: value }
+      break
+    case EVENT.open:
+      if (frame.search[cell] !== SEARCH.open) frame.open++
+      frame.search[cell] = SEARCH.open
+      frame.cost = value
+      break
+    case EVENT.close:
+      frame.open--
+      frame.closed++
+      frame.search[cell] = SEARCH.closed
+      frame.cost = value
+      break
+    case EVENT.path:
+      frame.path.push(cell)
+      break
+    case EVENT.attraction:
+      fieldOf(frame, 'attraction')[cell] = value
+      break
+    case EVENT.repulsion:
+      fieldOf(frame, 'repulsion')[cell] = value
       break
     case EVENT.potential:
-      frame.potential ??= new Float64Array(frame.search.length).fill(Number.NaN)
-      frame.potential[cell] = tape.values[i]
-      break
-    case EVENT.sense:
-      frame.known[cell] = tape.others[i] ? KNOWN.obstacle : KNOWN.free
+      fieldOf(frame, 'potential')[cell] = value
       break
     case EVENT.step:
       frame.trail.push(cell)
       frame.rover = cell
       break
-    case EVENT.hit:
-      frame.hits.push(cell)
-      break
-    case EVENT.leave:
-      frame.leaves.push(cell)
-      break
-    case EVENT.feel:
-      if (cell >= 0) frame.felt[cell] = 1
-      break
-    case EVENT.mLine:
-      frame.mLine.push(cell)
+    case EVENT.sense:
+      frame.known[cell] = other ? KNOWN.obstacle : KNOWN.free
       break
     case EVENT.target:
       frame.target = cell
       break
-    case EVENT.value:
-      frame.values[tape.others[i]] = tape.values[i]
+    case EVENT.mLine:
+      frame.mLine.push(cell)
       break
-    case EVENT.path:
-      frame.path.push(cell)
+    case EVENT.hit:
+      frame.hits.push(cell)
+      frame.following = true
+      frame.target = -1
+      frame.nodes.length = 0
+      break
+    case EVENT.turn:
+      frame.turn = other
+      break
+    case EVENT.feel:
+      frame.atSide = cell
+      if (cell >= 0) frame.felt[cell] = 1
+      break
+    case EVENT.leave:
+      frame.leaves.push(cell)
+      frame.following = false
+      frame.target = -1
+      frame.nodes.length = 0
+      break
+    case EVENT.scan:
+      frame.nodes.length = 0
+      break
+    case EVENT.node:
+      frame.nodes.push(cell)
+      break
+    case EVENT.value:
+      frame.values[other] = value
       break
   }
+}
+
+function fieldOf(frame: Frame, field: Field): Float64Array {
+  frame.field = field
+  frame.fields[field] ??= new Float64Array(frame.search.length).fill(Number.NaN)
+  return frame.fields[field]
 }

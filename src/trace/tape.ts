@@ -56,7 +56,7 @@ export class Tape implements TapeColumns {
     return this
   }
 
-  write(kind: EventKind, cell: Cell, other = -1, value = 0): void {
+  write(kind: EventKind, cell: Cell = -1, other = -1, value = 0): void {
     const i = this.length
     if (i === this.kinds.length) this.grow()
     this.kinds[i] = kind

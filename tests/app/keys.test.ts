@@ -1,10 +1,12 @@
 import { describe, expect, it } from 'vitest'
+import { cellInWords } from '../../src/app/cell-line'
 import type { State } from '../../src/app/state'
-import { cellInWords, type KeyPress, mapKey, pageKey, reveal } from '../../src/app/tools/keys'
+import { type KeyPress, mapKey, pageKey, reveal } from '../../src/app/tools/keys'
 import { emptyGrid } from '../../src/grid/grid'
 import { obstaclesOf, stateFrom } from './setups'
 
-const begin = stateFrom('S..#\n....\n...G')
+const begin = { ...stateFrom('S..#\n....\n...G'), cursorShown: true }
+const hidden = { ...begin, cursorShown: false }
 
 const keyPress = (key: string): KeyPress => {
   const parts = key.split('+')
@@ -16,7 +18,7 @@ const keyPress = (key: string): KeyPress => {
 function type(state: State, ...keys: string[]): State {
   return keys.reduce((now, key) => {
     const press = keyPress(key)
-    const transition = mapKey(press) ?? pageKey(press)
+    const transition = mapKey(press, now.cursorShown) ?? pageKey(press)
     if (!transition) throw new Error(`${key} does nothing`)
     return transition(now)
   }, state)
@@ -26,29 +28,29 @@ describe('the keyboard on the map', () => {
   it('moves the cursor cell by cell and says what is there', () => {
     let state = type(begin, 'ArrowRight')
     expect(state).toMatchObject({ cursor: 1, cursorShown: true })
-    expect(state.said.text).toBe('(1, 0), free')
+    expect(state.said.text).toBe('(1, 0), free.')
     state = type(state, 'ArrowRight', 'ArrowRight')
-    expect(state.said.text).toBe('(3, 0), obstacle')
+    expect(state.said.text).toBe('(3, 0), obstacle.')
     state = type(state, 'ArrowRight')
     expect(state.cursor).toBe(3)
-    expect(state.said.text).toBe('Edge of the map. (3, 0), obstacle')
-    expect(type(state, 'ArrowDown', 'ArrowDown').said.text).toBe('(3, 2), goal')
+    expect(state.said.text).toBe('Edge of the map. (3, 0), obstacle.')
+    expect(type(state, 'ArrowDown', 'ArrowDown').said.text).toBe('(3, 2), goal.')
   })
 
   it.each([' ', 'Enter'])('draws and erases with "%s"', (key) => {
     let state = type(begin, 'ArrowDown', key)
     expect(obstaclesOf(state.setup)).toEqual([3, 4])
-    expect(state.said).toEqual({ text: '(0, 1) is now an obstacle.', withOutcome: true })
+    expect(state.said).toMatchObject({ text: '(0, 1) is now an obstacle.', followedBy: 'outcome' })
     state = type(state, key)
     expect(obstaclesOf(state.setup)).toEqual([3])
     expect(state.said.text).toBe('(0, 1) is now free.')
   })
 
   it('shows a hidden cursor before it changes anything there', () => {
-    const state = type({ ...begin, cursor: 5 }, ' ')
+    const state = type({ ...hidden, cursor: 5 }, 'Enter')
     expect(state.setup).toBe(begin.setup)
     expect(state).toMatchObject({ cursor: 5, cursorShown: true })
-    expect(obstaclesOf(type(state, ' ').setup)).toEqual([3, 5])
+    expect(obstaclesOf(type(state, 'Enter').setup)).toEqual([3, 5])
   })
 
   it('sets start and goal, but not on obstacles', () => {
@@ -81,9 +83,19 @@ describe('the keyboard on the map', () => {
     expect(type(state, '0').fitted).toBe(true)
   })
 
+  it('leaves Space and the sideways arrows to the playback while no cursor is on show', () => {
+    for (const key of [' ', 'ArrowLeft', 'ArrowRight']) {
+      expect(mapKey(keyPress(key), false)).toBeNull()
+      expect(mapKey(keyPress(key), true)).not.toBeNull()
+    }
+    expect(mapKey(keyPress('Shift+ArrowLeft'), true)).toBeNull()
+    expect(type(hidden, 'ArrowDown')).toMatchObject({ cursor: 4, cursorShown: true })
+    expect(type(begin, 'ArrowDown', 'Escape').cursorShown).toBe(false)
+  })
+
   it('leaves all other keys alone', () => {
     for (const key of ['a', 'Tab', 'F5', 'Ctrl+s', 'Ctrl+ArrowLeft']) {
-      expect(mapKey(keyPress(key))).toBeNull()
+      expect(mapKey(keyPress(key), true)).toBeNull()
       expect(pageKey(keyPress(key))).toBeNull()
     }
     expect(pageKey(keyPress('z'))).toBeNull()

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { Pace } from '../../src/app/pacing'
 import { Playback } from '../../src/app/playback'
+import { scoreOf } from '../../src/app/score'
 import { EVENT } from '../../src/trace/events'
 import { frameAt } from '../../src/trace/frame'
 import { Tape } from '../../src/trace/tape'
@@ -40,30 +41,93 @@ describe('the pace', () => {
     expect(pace.timeAt(0.5)).toBeLessThanOrEqual(51)
   })
 
+  it.each([
+    'row',
+    'test',
+    'vertex',
+    'edge',
+    'refuse',
+    'open',
+    'close',
+    'attraction',
+    'repulsion',
+    'potential',
+  ] as const)('counts %s as search, as long as the walk after it', (kind) => {
+    const pace = new Pace(tapeOf([kind, 100], ['step', 10]))
+    expect(pace.timeAt(0.4)).toBeLessThan(100)
+    expect(pace.timeAt(0.5)).toBeGreaterThan(100)
+    expect(pace.timeAt(0.5)).toBeLessThan(103)
+  })
+
+  it('is begun anywhere', () => {
+    const tape = tapeOf(['open', 100], ['path', 10])
+    const pace = new Pace(tape)
+    const share = pace.beginAt(50)
+    expect(share).toBeCloseTo(0.225)
+    expect(pace.timeAt(share)).toBe(50)
+    expect(pace.timeAt(1)).toBe(110)
+  })
+
   it('ends even if there is nothing to be seen', () => {
     expect(new Pace(tapeOf(['value', 5])).timeAt(1)).toBe(5)
     expect(new Pace(tapeOf()).timeAt(1)).toBe(0)
   })
 })
 
-describe('playback', () => {
-  const shown = planned(setupFrom('S...\n.##.\n...G', 'bug2'))
+describe('playing a tape', () => {
+  const { tape } = planned(setupFrom('S...\n.##.\n...G', 'bug2'))
+  const { steps } = scoreOf(tape)
+  const whole = { kind: 'whole', duration: 1000, times: 1, pause: 0, asked: true } as const
+  const THE_END = Number.POSITIVE_INFINITY
 
-  it('begins with the first frame and is over at its end', () => {
-    const playback = new Playback(shown, { duration: 1000, times: 1, pause: 0 })
-    expect(playback.frameAt(5000)?.time).toBe(0)
-    const middle = playback.frameAt(5500)?.time ?? 0
+  it('as a whole begins with the first event and is over after the last', () => {
+    const playback = new Playback({ tape, tempo: whole, time: 0 })
+    expect(playback.timeAt(5000)).toBe(0)
+    const middle = playback.timeAt(5500)
     expect(middle).toBeGreaterThan(0)
-    expect(middle).toBeLessThan(shown.tape.length)
-    expect(playback.frameAt(6000)).toBeNull()
+    expect(middle).toBeLessThan(tape.length)
+    expect(playback.timeAt(6000)).toBe(THE_END)
+  })
+
+  it('as a whole goes on from where it was, in the time that is left', () => {
+    const middle = new Playback({ tape, tempo: whole, time: 0 })
+    middle.timeAt(0)
+    const time = middle.timeAt(500)
+    const playback = new Playback({ tape, tempo: whole, time })
+    expect(playback.timeAt(0)).toBe(time)
+    expect(playback.timeAt(300)).toBeGreaterThan(time)
+    expect(playback.timeAt(300)).toBeLessThan(tape.length)
+    expect(playback.timeAt(520)).toBe(THE_END)
   })
 
   it('is repeated, with a rest at the end', () => {
-    const playback = new Playback(shown, { duration: 1000, times: 2, pause: 500 })
-    playback.frameAt(0)
-    expect(playback.frameAt(1200)?.time).toBe(shown.tape.length)
-    expect(playback.frameAt(1500)?.time).toBe(0)
-    expect(playback.frameAt(2499)).not.toBeNull()
-    expect(playback.frameAt(2500)).toBeNull()
+    const playback = new Playback({ tape, tempo: { ...whole, times: 2, pause: 500 }, time: 0 })
+    playback.timeAt(0)
+    expect(playback.timeAt(1200)).toBe(tape.length)
+    expect(playback.timeAt(1500)).toBe(0)
+    expect(playback.timeAt(2499)).toBeLessThanOrEqual(tape.length)
+    expect(playback.timeAt(2500)).toBe(THE_END)
+  })
+
+  it('by steps takes the first at once and the others at its speed', () => {
+    const playback = new Playback({ tape, tempo: { kind: 'steps', perSecond: 2 }, time: steps[3] })
+    const times = [0, 499, 500, 999, 1000].map((now) => playback.timeAt(7000 + now))
+    expect(times).toEqual([4, 4, 5, 5, 6].map((step) => steps[step]))
+    expect(playback.timeAt(7000 + 500 * steps.length)).toBe(THE_END)
+  })
+
+  it('by steps goes on after the step that it is in the middle of', () => {
+    const inside = steps.findIndex((time, i) => i > 0 && time - steps[i - 1] > 1)
+    const time = steps[inside] - 1
+    const playback = new Playback({ tape, tempo: { kind: 'steps', perSecond: 1 }, time })
+    expect(playback.timeAt(0)).toBe(steps[inside + 1])
+  })
+
+  it('knows when someone else has moved the cursor', () => {
+    const playback = new Playback({ tape, tempo: whole, time: 0 })
+    const time = playback.timeAt(0)
+    expect(playback.isPlaying({ tape, tempo: whole, time })).toBe(true)
+    expect(playback.isPlaying({ tape, tempo: whole, time: time + 1 })).toBe(false)
+    expect(playback.isPlaying({ tape, tempo: { ...whole }, time })).toBe(false)
   })
 })

@@ -112,9 +112,21 @@ describe('what is kept for the next visit', () => {
 describe('preferences', () => {
   it('come back as they were', () => {
     const kept = shelf()
-    const preferences = { theme: 'light', showPotential: false, hint: false } as const
+    const preferences = {
+      theme: 'light',
+      showPotential: false,
+      hint: false,
+      speed: 'moment',
+      sight: 'known',
+    } as const
     savePreferences(kept, preferences)
     expect(loadPreferences(kept)).toEqual(preferences)
+  })
+
+  it('that were not kept yet are the usual ones', () => {
+    const kept = { theme: 'light', showPotential: false, hint: false } as const
+    const old = shelf({ 'path-planner.preferences': JSON.stringify(kept) })
+    expect(loadPreferences(old)).toEqual({ ...defaultPreferences, ...kept })
   })
 
   it('are the usual ones where nothing can be read', () => {

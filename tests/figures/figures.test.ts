@@ -83,7 +83,7 @@ describe('Fig. 6', () => {
   })
 
   test('the potentials', () => {
-    const { potential: found } = frameAt(run.tape, run.tape.length)
+    const found = frameAt(run.tape, run.tape.length).fields.potential
     for (const [place, value] of Object.entries(potential)) {
       const [x, y] = place.split(',').map(Number)
       expect(found?.[y * run.problem.grid.width + x], place).toBe(Number(value))

@@ -7,13 +7,24 @@ import { anySettings } from '../reference/settings'
 import { problemOf, type World } from '../reference/world'
 
 const SECOND_IS_A_CELL: ReadonlySet<number> = new Set([
-  EVENT.open,
+  EVENT.test,
   EVENT.edge,
+  EVENT.refuse,
+  EVENT.open,
   EVENT.step,
   EVENT.hit,
 ])
-/** Obstacles may lie outside the map, where a cell has no number; Tangent Bug heads for some. */
-const MAY_BE_OUTSIDE: ReadonlySet<number> = new Set([EVENT.feel, EVENT.target])
+/**
+ * A phase is nowhere, and so is the end of a search without a path. Obstacles may lie outside the
+ * map, where a cell has no number; Tangent Bug heads for some.
+ */
+const MAY_BE_NOWHERE: ReadonlySet<number> = new Set([
+  EVENT.phase,
+  EVENT.end,
+  EVENT.feel,
+  EVENT.target,
+  EVENT.node,
+])
 
 function mustBeWritten(name: string, world: World, tape: Tape, lines: number): void {
   const cells = world.width * world.height
@@ -23,7 +34,7 @@ function mustBeWritten(name: string, world: World, tape: Tape, lines: number): v
     const kind = tape.kinds[i]
     must(kinds.has(kind), () => `${name}: event ${i} is of no kind (${kind})`)
     must(tape.lines[i] < lines, () => `${name}: event ${i} names line ${tape.lines[i]} of ${lines}`)
-    const least = MAY_BE_OUTSIDE.has(kind) ? -1 : 0
+    const least = MAY_BE_NOWHERE.has(kind) ? -1 : 0
     must(isCell(tape.cells[i], least), () => `${name}: event ${i} (${kind}) at ${tape.cells[i]}`)
     const second = tape.others[i]
     must(

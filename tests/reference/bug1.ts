@@ -4,6 +4,9 @@ import { isNearer, isSame, simplest, type World, type XY } from './world'
 export interface Walk {
   readonly status: 'reached' | 'unreachable' | 'loop' | 'dead-end'
   readonly path: readonly XY[]
+  /** Where it met obstacles, and where it left them again. */
+  readonly hits: readonly XY[]
+  readonly leaves: readonly XY[]
 }
 
 /**
@@ -14,24 +17,28 @@ export interface Walk {
 export function bug1(world: World, turn: Turn): Walk {
   const { goal } = world
   const path: XY[] = [world.start]
+  const hits: XY[] = []
+  const leaves: XY[] = []
   for (;;) {
     let here = path[path.length - 1]
-    if (isSame(here, goal)) return { status: 'reached', path }
+    if (isSame(here, goal)) return { status: 'reached', path, hits, leaves }
     const next = simplest(here, goal)[1]
     const obstacle = obstacleInTheWay(world, here, next)
     if (!obstacle) {
       path.push(next)
       continue
     }
-    if (isBoxedIn(world, here)) return { status: 'unreachable', path }
+    hits.push(here)
+    if (isBoxedIn(world, here)) return { status: 'unreachable', path, hits, leaves }
     const lap = onceAround(world, { at: here, obstacle }, turn, (place) => isSame(place, goal))
     path.push(...lap.slice(1))
     here = path[path.length - 1]
-    if (isSame(here, goal)) return { status: 'reached', path }
+    if (isSame(here, goal)) return { status: 'reached', path, hits, leaves }
     let nearest = lap[0]
     for (const place of lap) if (isNearer(place, nearest, goal)) nearest = place
-    if (nearest === lap[0]) return { status: 'unreachable', path }
+    if (nearest === lap[0]) return { status: 'unreachable', path, hits, leaves }
     path.push(...shorterWay(lap, nearest))
+    leaves.push(nearest)
   }
 }
 

@@ -9,7 +9,8 @@ import { isSame, isWall, simplest, type World, type XY } from './world'
 export function bug2(world: World, turn: Turn, leave: 'report' | 'closer'): Walk {
   const mLine = simplest(world.start, world.goal)
   const path: XY[] = [world.start]
-  const hits = new Set<number>()
+  const hits: XY[] = []
+  const leaves: XY[] = []
   let i = 0
   while (i < mLine.length - 1) {
     const obstacle = obstacleInTheWay(world, mLine[i], mLine[i + 1])
@@ -17,22 +18,23 @@ export function bug2(world: World, turn: Turn, leave: 'report' | 'closer'): Walk
       path.push(mLine[++i])
       continue
     }
+    if (hits.some((hit) => isSame(hit, mLine[i]))) return { status: 'loop', path, hits, leaves }
+    hits.push(mLine[i])
     const stuck = leave === 'closer' ? 'unreachable' : 'loop'
     if (isBoxedIn(world, mLine[i])) {
-      return { status: leave === 'closer' ? 'unreachable' : 'dead-end', path }
+      return { status: leave === 'closer' ? 'unreachable' : 'dead-end', path, hits, leaves }
     }
-    if (hits.has(i)) return { status: 'loop', path }
-    hits.add(i)
     const placeOnLine = (place: XY) => mLine.findIndex((cell) => isSame(cell, place))
     const isLeavePoint = (place: XY) =>
       leave === 'closer' ? placeOnLine(place) > i : ![-1, i].includes(placeOnLine(place))
     const lap = onceAround(world, { at: mLine[i], obstacle }, turn, isLeavePoint)
     path.push(...lap.slice(1))
     const end = path[path.length - 1]
-    if (!isLeavePoint(end)) return { status: stuck, path }
+    if (!isLeavePoint(end)) return { status: stuck, path, hits, leaves }
     i = placeOnLine(end)
+    if (i < mLine.length - 1) leaves.push(end)
   }
-  return { status: 'reached', path }
+  return { status: 'reached', path, hits, leaves }
 }
 
 /**

@@ -5,13 +5,15 @@ import { problemFromText } from '../../src/grid/text-map'
 import { CellImage } from '../../src/render/cell-image'
 import { pixelOf, rgbOf } from '../../src/render/colour'
 import { heatColours } from '../../src/render/heat'
-import type { Scene } from '../../src/render/scene'
+import type { Scene, Sight } from '../../src/render/scene'
 import { themes } from '../../src/render/theme'
+import { EVENT, type EventKind } from '../../src/trace/events'
 import { firstFrame } from '../../src/trace/frame'
 import { Player } from '../../src/trace/player'
 import { momentOf, randomProblem, sceneOf, tapeOf } from './scenes'
 
 const { cell, obstacle } = themes.dark
+const SIGHTS = ['both', 'world', 'known'] as const
 
 function colours(scene: Scene): Uint32Array {
   const image = new CellImage()
@@ -53,7 +55,9 @@ describe('the colour of a cell', () => {
     const at = (time: number) => letters(sceneOf(corridor, { plan: momentOf(tape, time) }), names)
     expect(at(0)).toEqual(['.......', '#####.#', '.......'])
     // Opened the start, closed it, opened its one neighbour, closed that, opened the next.
-    expect(at(5)).toEqual(['cco....', '#####.#', '.......'])
+    const search = tape.kinds.indexOf(EVENT.open)
+    expect(at(search)).toEqual(at(0))
+    expect(at(search + 5)).toEqual(['cco....', '#####.#', '.......'])
     expect(at(tape.length)[2]).toBe('....ccc')
   })
 
@@ -75,6 +79,36 @@ describe('the colour of a cell', () => {
     const end = at(tape.length)
     expect(end[1][3]).toBe('f')
     expect(end[4]).toBe('       ')
+  })
+
+  it('tells only what the rover knows, or nothing of it, as it is wanted', () => {
+    const walls = problemFromText('.......\nS..#..G\n.......\n.......\n..#.#..')
+    const tape = tapeOf(walls, 'bug1')
+    const scene = sceneOf(walls, { plan: momentOf(tape), sensorRange: 1 })
+    const names = {
+      '.': cell.sensed,
+      ' ': cell.unsensed,
+      w: cell.free,
+      '#': obstacle.seen,
+      u: obstacle.unsensed,
+      f: obstacle.felt,
+    }
+    const rows = (sight: Sight) => letters({ ...scene, sight }, names)
+    expect(rows('both').at(-1)).toBe('  u u  ')
+    expect(rows('known').at(-1)).toBe('       ')
+    expect(rows('known').slice(0, -1)).toEqual(rows('both').slice(0, -1))
+    expect(rows('world')).toEqual(['wwwwwww', 'wwwfwww', 'wwwwwww', 'wwwwwww', 'ww#w#ww'])
+  })
+
+  it('shows a planner without a rover the world, however it is looked at', () => {
+    const tape = tapeOf(problem, 'decomposition')
+    const scene = sceneOf(problem, { plan: momentOf(tape) })
+    for (const sight of ['both', 'world', 'known'] as const) {
+      expect(colours({ ...scene, sight })).toEqual(colours(scene))
+    }
+    expect(colours(sceneOf(problem, { sensorRange: 1, sight: 'known' }))).toEqual(
+      colours(sceneOf(problem)),
+    )
   })
 
   it('leaves an obstacle an obstacle, whatever the plan says of its cell', () => {
@@ -104,6 +138,43 @@ describe('the colour of a cell', () => {
   })
 })
 
+describe('fields', () => {
+  const problem = problemFromText('S.......G\n....#....')
+  const tape = tapeOf(problem, 'potential-field')
+  const heat = heatColours(themes.dark).map(pixelOf)
+  const at = (time: number) =>
+    colours(sceneOf(problem, { plan: momentOf(tape, time), showPotential: true }))
+  const lastOf = (kind: EventKind) => tape.kinds.lastIndexOf(kind) + 1
+
+  it('come one after the other, each with a range of its own', () => {
+    const attraction = at(lastOf(EVENT.attraction))
+    expect([attraction[9], attraction[8]]).toEqual([heat[255], heat[0]])
+    const repulsion = at(lastOf(EVENT.repulsion))
+    expect([repulsion[0], repulsion[8]]).toEqual([heat[0], heat[0]])
+    // Below, above and beside the obstacle it is 30, its greatest value.
+    expect([repulsion[4], repulsion[12]]).toEqual([heat[255], heat[255]])
+    const sum = at(lastOf(EVENT.potential))
+    expect([sum[9], sum[8]]).toEqual([heat[255], heat[0]])
+  })
+
+  it('leave cells plain that have no value so far, in spite of the field before', () => {
+    const first = tape.kinds.indexOf(EVENT.repulsion)
+    expect(at(first)[9]).toBe(heat[255])
+    const [free] = pixels(cell.free)
+    expect([...at(first + 2).subarray(0, 4)]).toEqual([heat[0], heat[0], free, free])
+  })
+
+  it('are painted cell by cell as they come', () => {
+    const image = new CellImage()
+    const player = new Player(tape)
+    for (let time = 0; time <= tape.length; time++) {
+      const plan = { tape, frame: player.moveTo(time) }
+      image.update(sceneOf(problem, { plan, showPotential: true }))
+      expect(image.pixels).toEqual(at(time))
+    }
+  })
+})
+
 /** The first time at which something holds. */
 function firstTime(length: number, holds: (time: number) => boolean): number {
   for (let time = 0; time <= length; time++) if (holds(time)) return time
@@ -115,8 +186,10 @@ describe('painting only what is new', () => {
     ['decomposition', 0, false],
     ['visibility-graph', 0, false],
     ['probabilistic-roadmap', 0, false],
+    ['potential-field', 0, true],
     ['potential-field-memory', 0, true],
     ['bug1', 1, false],
+    ['tangent-bug', 2, false],
     ['bug2', 1, false],
   ] as const
 
@@ -129,6 +202,7 @@ describe('painting only what is new', () => {
       const { tape } = player
       const image = new CellImage()
       let { grid } = problem
+      let sight: Sight = 'both'
       for (let i = 0; i < 60; i++) {
         const time = randomInteger(random, tape.length + 1)
         const frame = player.moveTo(time)
@@ -136,6 +210,7 @@ describe('painting only what is new', () => {
           const edited = [randomInteger(random, 23 * 17), randomInteger(random, 23 * 17)]
           grid = withCells(grid, edited, random() < 0.5)
         }
+        if (random() < 0.2) sight = SIGHTS[randomInteger(random, SIGHTS.length)]
         const theme = random() < 0.1 ? themes.light : themes.dark
         const scene = sceneOf(
           { ...problem, grid },
@@ -143,6 +218,7 @@ describe('painting only what is new', () => {
             theme,
             plan: random() < 0.1 ? null : { tape, frame },
             sensorRange,
+            sight,
             showPotential,
           },
         )
@@ -161,12 +237,14 @@ describe('painting only what is new', () => {
       const frame = player.moveTo(time)
       return image.update(sceneOf(problem, { plan: { tape, frame } }))
     }
+    const search = tape.kinds.indexOf(EVENT.open)
     expect(at(0)).toEqual({ left: 0, top: 0, right: 20, bottom: 10 })
-    expect(at(0)).toBeNull()
-    expect(at(2)).toEqual({ left: 0, top: 0, right: 1, bottom: 1 })
-    const [x, y] = [tape.cells[2] % 20, Math.floor(tape.cells[2] / 20)]
-    expect(at(3)).toEqual({ left: x, top: y, right: x + 1, bottom: y + 1 })
-    expect(at(1)).toEqual({ left: 0, top: 0, right: 20, bottom: 10 })
+    expect(at(search)).toBeNull()
+    expect(at(search + 2)).toEqual({ left: 0, top: 0, right: 1, bottom: 1 })
+    const third = tape.cells[search + 2]
+    const [x, y] = [third % 20, Math.floor(third / 20)]
+    expect(at(search + 3)).toEqual({ left: x, top: y, right: x + 1, bottom: y + 1 })
+    expect(at(search + 1)).toEqual({ left: 0, top: 0, right: 20, bottom: 10 })
   })
 
   it('paints an edit where it was made', () => {

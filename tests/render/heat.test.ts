@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import { rgbOf } from '../../src/render/colour'
-import { HEAT_LEVELS, heatColours, heatLevel, potentialRange } from '../../src/render/heat'
+import { fieldRange, HEAT_LEVELS, heatColours, heatLevel } from '../../src/render/heat'
 import { themes } from '../../src/render/theme'
 import { EVENT } from '../../src/trace/events'
 import { Tape } from '../../src/trace/tape'
@@ -15,17 +15,17 @@ function tapeWith(...potentials: number[]): Tape {
   return tape
 }
 
-describe('potentialRange', () => {
+describe('fieldRange', () => {
   it('is that of the finite potentials, and of nothing else on the tape', () => {
-    expect(potentialRange(tapeWith(9, Number.POSITIVE_INFINITY, 4, 25))).toEqual({
+    expect(fieldRange(tapeWith(9, Number.POSITIVE_INFINITY, 4, 25), 'potential')).toEqual({
       min: 4,
       max: 25,
     })
   })
 
   it('is null without any', () => {
-    expect(potentialRange(tapeWith())).toBeNull()
-    expect(potentialRange(tapeWith(Number.POSITIVE_INFINITY))).toBeNull()
+    expect(fieldRange(tapeWith(), 'potential')).toBeNull()
+    expect(fieldRange(tapeWith(Number.POSITIVE_INFINITY), 'potential')).toBeNull()
   })
 })
 

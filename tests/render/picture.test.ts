@@ -4,7 +4,9 @@ import { Picture } from '../../src/render/picture'
 import type { Scene } from '../../src/render/scene'
 import { themes } from '../../src/render/theme'
 import { EVENT } from '../../src/trace/events'
+import { frameAt } from '../../src/trace/frame'
 import { Player } from '../../src/trace/player'
+import { Tape } from '../../src/trace/tape'
 import { momentOf, randomProblem, sceneOf, tapeOf } from './scenes'
 
 /** Canvases that draw nothing and count what is asked of them, by the name of their layer. */
@@ -73,10 +75,41 @@ describe('a picture redraws only what has changed', () => {
     expect(drawn(() => picture.draw({ ...scene }, { ...view }))).toEqual([])
   })
 
-  it('the marks if the cursor moves', () => {
+  it('the marks if the cursor moves, or the cell that is asked about', () => {
     const scene = sceneOf(problem)
     const picture = pictureOf(scene)
     expect(drawn(() => picture.draw({ ...scene, cursor: 3 }, view))).toEqual(['marks'])
+    expect(drawn(() => picture.draw({ ...scene, cursor: 3, hovered: 7 }, view))).toEqual(['marks'])
+  })
+
+  it('the marks while corners are tested and pairs are refused', () => {
+    const tape = tapeOf(problem, 'visibility-graph')
+    const scene = sceneOf(problem, { plan: momentOf(tape, 0) })
+    const picture = pictureOf(scene)
+    const at = (time: number) =>
+      drawn(() => picture.draw({ ...scene, plan: momentOf(tape, time) }, view))
+    for (const kind of [EVENT.test, EVENT.refuse]) {
+      const first = tape.kinds.indexOf(kind)
+      at(first)
+      expect(at(first + 1)).toEqual(['marks'])
+    }
+  })
+
+  it('the marks when the same number of other nodes is found from the same cell', () => {
+    const open = randomProblem(20, 15, 0, 1)
+    const frame = (nodes: number[]) => {
+      const tape = new Tape()
+      tape.begin(20, 15)
+      tape.write(EVENT.step, 44)
+      tape.write(EVENT.scan, 44)
+      for (const node of nodes) tape.write(EVENT.node, node)
+      return frameAt(tape, tape.length)
+    }
+    const tape = tapeOf(open, 'tangent-bug')
+    const scene = sceneOf(open, { plan: { tape, frame: frame([2, 3]) }, sensorRange: 2 })
+    const picture = pictureOf(scene)
+    const other = { ...scene, plan: { tape, frame: frame([2, 4]) } }
+    expect(drawn(() => picture.draw(other, view))).toEqual(['marks'])
   })
 
   it('the cells if one is edited', () => {
@@ -89,11 +122,22 @@ describe('a picture redraws only what has changed', () => {
     ])
   })
 
+  it('the cells when rows of them become vertices', () => {
+    const tape = tapeOf(problem, 'decomposition')
+    const first = tape.kinds.indexOf(EVENT.row)
+    const scene = sceneOf(problem, { plan: momentOf(tape, first) })
+    const picture = pictureOf(scene)
+    const next = { ...scene, plan: momentOf(tape, first + 1) }
+    expect(drawn(() => picture.draw(next, view))).toEqual(['ground'])
+  })
+
   it('the same frame again, once it has advanced', () => {
     const player = new Player(tapeOf(problem, 'decomposition'))
-    const scene = sceneOf(problem, { plan: { tape: player.tape, frame: player.moveTo(4) } })
+    const search = player.tape.kinds.indexOf(EVENT.open)
+    const plan = { tape: player.tape, frame: player.moveTo(search + 4) }
+    const scene = sceneOf(problem, { plan })
     const picture = pictureOf(scene)
-    player.moveTo(9)
+    player.moveTo(search + 9)
     expect(drawn(() => picture.draw(scene, view))).toEqual(['ground', 'image'])
     player.moveTo(player.tape.length)
     expect(drawn(() => picture.draw(scene, view))).toContain('plan')
@@ -107,7 +151,8 @@ describe('a picture redraws only what has changed', () => {
     const picture = pictureOf(scene)
     const at = (time: number) =>
       drawn(() => picture.draw({ ...scene, plan: momentOf(tape, time) }, view))
-    expect(at(lastEdge + 1)).toEqual(['roadmap'])
+    // Among the marks the latest edge stands out.
+    expect(at(lastEdge + 1)).toEqual(['marks', 'roadmap'])
     expect(at(lastEdge + 3)).not.toContain('roadmap')
     expect(at(0)).toContain('roadmap')
   })

@@ -20,8 +20,10 @@ export function sceneOf(problem: Problem, changes: Partial<Scene> = {}): Scene {
     theme: themes.dark,
     plan: null,
     sensorRange: 0,
+    sight: 'both',
     showPotential: false,
     cursor: -1,
+    hovered: -1,
     ...changes,
   }
 }

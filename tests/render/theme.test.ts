@@ -44,19 +44,37 @@ describe.each(Object.values(themes))('the $name theme', (theme: Theme) => {
     expect(between(cell.open, cell.closed)).toBeGreaterThanOrEqual(1.2)
   })
 
-  it.each(['path', 'start', 'goal', 'roadmap', 'vertex', 'mLine', 'hit', 'leave'] as const)(
-    'shows %s on every free cell',
-    (name) => {
-      expect(between(theme[name], cell.free)).toBeGreaterThanOrEqual(3)
-      for (const ground of [...groundsSeen, cell.unsensed]) {
-        const best = Math.max(between(theme[name], ground), between(theme.casing, ground))
-        expect(best).toBeGreaterThanOrEqual(3)
-      }
-    },
-  )
+  it.each([
+    'path',
+    'start',
+    'goal',
+    'roadmap',
+    'vertex',
+    'mLine',
+    'hit',
+    'leave',
+    'passed',
+    'failed',
+  ] as const)('shows %s on every free cell', (name) => {
+    expect(between(theme[name], cell.free)).toBeGreaterThanOrEqual(3)
+    for (const ground of [...groundsSeen, cell.unsensed]) {
+      const best = Math.max(between(theme[name], ground), between(theme.casing, ground))
+      expect(best).toBeGreaterThanOrEqual(3)
+    }
+  })
 
   it('outlines lines and marks, so that they can be seen on obstacles', () => {
-    for (const name of ['path', 'start', 'goal', 'mLine', 'hit', 'leave', 'rover'] as const) {
+    for (const name of [
+      'path',
+      'start',
+      'goal',
+      'mLine',
+      'hit',
+      'leave',
+      'rover',
+      'passed',
+      'failed',
+    ] as const) {
       expect(between(theme[name], theme.casing)).toBeGreaterThanOrEqual(3)
     }
   })

@@ -1,7 +1,10 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { EVENT, type EventKind, type Frame, frameAt, Player } from '../../src/index'
+import type { Field } from '../../src/trace/frame'
 import { type Event, events, HEIGHT, tapeOf, WIDTH } from './arbitraries'
+
+const FIELDS: readonly Field[] = ['attraction', 'repulsion', 'potential']
 
 /** The picture after some events, each part of it asked of the list on its own. */
 function picture(list: readonly Event[]): Frame {
@@ -13,10 +16,40 @@ function picture(list: readonly Event[]): Frame {
   const lastAt = (cell: number, ...kinds: EventKind[]) =>
     list.findLast((e) => e.cell === cell && kinds.includes(e.kind))
   const cells = (kind: EventKind) => all(kind).map((e) => e.cell)
+  const lastOf = (...kinds: EventKind[]) => list.findLast((e) => kinds.includes(e.kind))
+  const since = (...kinds: EventKind[]) =>
+    list.slice(list.findLastIndex((e) => kinds.includes(e.kind)) + 1)
+  const fieldOf = (kind: EventKind): Float64Array | null =>
+    all(kind).length === 0
+      ? null
+      : Float64Array.from(perCell((cell) => lastAt(cell, kind)?.value ?? Number.NaN))
+  // An open cell that is opened again is open once.
+  const isAgain = (e: Event, i: number) =>
+    list
+      .slice(0, i)
+      .findLast((b) => b.cell === e.cell && (b.kind === EVENT.open || b.kind === EVENT.close))
+      ?.kind === EVENT.open
+  const opened = list.filter((e, i) => e.kind === EVENT.open && !isAgain(e, i)).length
+  const field = lastOf(EVENT.attraction, EVENT.repulsion, EVENT.potential)
+  const test = since(EVENT.phase).findLast((e) => e.kind === EVENT.test)
+  const refusal = since(EVENT.phase, EVENT.edge).findLast((e) => e.kind === EVENT.refuse)
   const values: number[] = []
   for (const e of all(EVENT.value)) values[e.other] = e.value
   return {
     time: list.length,
+    phase: lastOf(EVENT.phase)?.other ?? -1,
+    open: opened - all(EVENT.close).length,
+    closed: all(EVENT.close).length,
+    cost: lastOf(EVENT.open, EVENT.close)?.value ?? 0,
+    rows: all(EVENT.row).length,
+    fields: {
+      attraction: fieldOf(EVENT.attraction),
+      repulsion: fieldOf(EVENT.repulsion),
+      potential: fieldOf(EVENT.potential),
+    },
+    field: FIELDS.find((name) => EVENT[name] === field?.kind) ?? null,
+    test: test ? { cell: test.cell, obstacle: test.other, passed: test.value === 1 } : null,
+    refusal: refusal ? { from: refusal.cell, to: refusal.other, at: refusal.value } : null,
     search: Uint8Array.from(
       perCell((cell) => {
         const found = lastAt(cell, EVENT.open, EVENT.close)
@@ -30,10 +63,6 @@ function picture(list: readonly Event[]): Frame {
       }),
     ),
     felt: Uint8Array.from(perCell((cell) => (lastAt(cell, EVENT.feel) ? 1 : 0))),
-    potential:
-      all(EVENT.potential).length === 0
-        ? null
-        : Float64Array.from(perCell((cell) => lastAt(cell, EVENT.potential)?.value ?? Number.NaN)),
     vertices: cells(EVENT.vertex),
     edges: all(EVENT.edge).flatMap((e) => [e.cell, e.other]),
     mLine: cells(EVENT.mLine),
@@ -41,8 +70,17 @@ function picture(list: readonly Event[]): Frame {
     leaves: cells(EVENT.leave),
     trail: cells(EVENT.step),
     path: cells(EVENT.path),
+    nodes: since(EVENT.scan, EVENT.hit, EVENT.leave)
+      .filter((e) => e.kind === EVENT.node)
+      .map((e) => e.cell),
     rover: last(all(EVENT.step), 'cell'),
-    target: last(all(EVENT.target), 'cell'),
+    target: last(
+      since(EVENT.hit, EVENT.leave).filter((e) => e.kind === EVENT.target),
+      'cell',
+    ),
+    atSide: last(all(EVENT.feel), 'cell'),
+    following: lastOf(EVENT.hit, EVENT.leave)?.kind === EVENT.hit,
+    turn: lastOf(EVENT.turn)?.other ?? 0,
     values,
     line: last(list, 'line'),
   }

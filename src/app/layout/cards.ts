@@ -4,6 +4,8 @@ import type { Rect } from '../../render/view'
 const NARROW = '(max-width: 640px)'
 /** Below this one of either side they begin folded, so that the map can be seen. */
 const SMALL = '(max-width: 640px), (max-height: 560px)'
+/** And below this one those that come second. */
+const MEDIUM = '(max-width: 1100px), (max-height: 680px)'
 
 const KEY_STEP = 16
 const LARGE_KEY_STEP = 96
@@ -29,6 +31,7 @@ export class Cards {
   readonly #covers: readonly HTMLElement[]
   readonly #narrow = window.matchMedia(NARROW)
   readonly #small = window.matchMedia(SMALL)
+  readonly #medium = window.matchMedia(MEDIUM)
   #highest = 10
   readonly #changed: (byUser: boolean) => void
 
@@ -39,7 +42,7 @@ export class Cards {
     for (const card of this.#cards) this.#bind(card)
     const observer = new ResizeObserver(() => changed(false))
     for (const cover of this.#covers) observer.observe(cover)
-    for (const media of [this.#narrow, this.#small]) {
+    for (const media of [this.#narrow, this.#small, this.#medium]) {
       media.addEventListener('change', () => this.#rearrange())
     }
     this.#rearrange()
@@ -156,7 +159,8 @@ export class Cards {
   #rearrange(): void {
     for (const card of this.#cards) {
       this.#putBack(card)
-      if (card.classList.contains('panel')) this.#fold(card, this.#small.matches)
+      const beginsFolded = 'second' in card.dataset ? this.#medium : this.#small
+      if (card.classList.contains('panel')) this.#fold(card, beginsFolded.matches)
     }
   }
 }

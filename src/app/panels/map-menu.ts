@@ -6,6 +6,10 @@ export type MapAction =
   | 'generate'
   | 'open'
   | 'save'
+  | 'save-map'
+  | 'save-trace'
+  | 'save-png'
+  | 'save-svg'
   | 'clear-obstacles'
   | 'clear-path'
 

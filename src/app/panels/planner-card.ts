@@ -113,7 +113,8 @@ export function plannerCard(store: Store<State>, openAbout: () => void): (state:
     select.value = planner.id
     diagonal.value = setup.problem.diagonal
     setText(diagonalHelp, RULES[setup.problem.diagonal].help)
-    const hasPotential = shown?.setup.plannerId === setup.plannerId && shown.last.potential !== null
+    const hasPotential =
+      shown?.setup.plannerId === setup.plannerId && shown.last.fields.potential !== null
     potential.element.hidden = !hasPotential
     potential.show(preferences.showPotential)
   }

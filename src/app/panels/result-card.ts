@@ -1,9 +1,10 @@
-import { byId, create, setText } from '../element'
+import { byId, setText } from '../element'
 import { type IconName, setIcon } from '../icons'
 import type { Planning } from '../planning'
 import { plannerOf } from '../setup'
 import type { State } from '../state'
 import { outcomeInWords, outcomeNumbers, type Row, reasonInWords, toneOf } from '../words'
+import { showRows } from './rows'
 
 interface Report {
   readonly tone: IconName
@@ -85,17 +86,3 @@ function showProgress(bar: HTMLElement | null, done: number): void {
   if (percent > 0) bar.setAttribute('aria-valuenow', String(percent))
   else bar.removeAttribute('aria-valuenow')
 }
-
-function showRows(table: HTMLTableElement, rows: readonly Row[]): void {
-  table.hidden = rows.length === 0
-  const body = table.tBodies[0]
-  rows.forEach(({ label, value }, i) => {
-    const row = body.rows[i] ?? body.appendChild(newRow())
-    setText(row.cells[0], label)
-    setText(row.cells[1], value)
-  })
-  while (body.rows.length > rows.length) body.deleteRow(-1)
-}
-
-const newRow = (): HTMLTableRowElement =>
-  create('tr', {}, create('th', { scope: 'row' }), create('td'))

@@ -2,9 +2,10 @@ import type { Point } from '../../grid/grid'
 import { cellAt, zoomAt } from '../../render/view'
 import type { State } from '../state'
 import type { Store } from '../store'
-import { hideCursor, look, moveCursor } from '../transitions'
+import { hideCursor, hover, look, moveCursor } from '../transitions'
 import { Hand, type Press } from './hand'
 import { type KeyPress, mapKey, pageKey } from './keys'
+import { type KeyPlace, playbackKey } from './playback-keys'
 import { gripAt } from './stroke'
 
 const BUTTONS: Readonly<Record<number, Press['button']>> = { 0: 'main', 1: 'middle', 2: 'right' }
@@ -42,14 +43,21 @@ export function bindInput(
     host.focus({ preventScroll: true })
     host.setPointerCapture(event.pointerId)
     const isTouch = event.pointerType === 'touch'
+    store.update((state) => hover(state, -1))
     hand.press({ id: event.pointerId, place: placeOf(event), button, isTouch })
   })
   on('pointermove', (event) => {
     // Not every browser has it.
     const events = event.getCoalescedEvents?.() ?? []
     hand.move(event.pointerId, (events.length > 0 ? events : [event]).map(placeOf))
-    if (!hand.isBusy) host.dataset.grip = gripUnder(store.state, placeOf(event))
+    if (hand.isBusy) return
+    const { view, setup } = store.state
+    const { x, y } = placeOf(event)
+    const cell = cellAt(view, setup.problem.grid, x, y)
+    host.dataset.grip = gripAt(setup.problem, cell)
+    if (event.pointerType === 'mouse') store.update((state) => hover(state, cell))
   })
+  on('pointerleave', () => store.update((state) => hover(state, -1)))
   on('pointerup', (event) => hand.release(event.pointerId, true))
   on('pointercancel', (event) => hand.release(event.pointerId, false))
   on('lostpointercapture', (event) => hand.release(event.pointerId, true))
@@ -65,16 +73,11 @@ export function bindInput(
 
   on('keydown', (event) => {
     if (event.key === 'Escape' && hand.cancel()) return
-    if (event.key === ' ') return event.preventDefault()
-    const transition = mapKey(keyPressOf(event))
+    if (event.key === ' ') return
+    const transition = mapKey(keyPressOf(event), store.state.cursorShown)
     if (!transition || (event.key === 'Enter' && event.repeat)) return
     event.preventDefault()
     store.update(transition)
-  })
-  on('keyup', (event) => {
-    if (event.key !== ' ') return
-    const transition = mapKey(keyPressOf(event))
-    if (transition && !hand.spaceUsed) store.update(transition)
   })
   on('focus', () => {
     // With a pointer the cell is under it; only the keyboard needs a cursor.
@@ -84,18 +87,30 @@ export function bindInput(
   })
   on('blur', () => store.update((state) => hideCursor(state)))
 
+  const placeOfKey = (target: EventTarget | null): KeyPlace | null =>
+    target === host && store.state.cursorShown ? 'cursor' : keyPlaceOf(target)
+  const isOverlaid = () => document.querySelector('dialog[open], :popover-open') !== null
+
   window.addEventListener(
     'keydown',
     (event) => {
-      if (event.key === ' ' && !event.repeat && !isControl(event.target)) {
+      const place = placeOfKey(event.target)
+      // What has dealt with a key has taken its usual effect away.
+      if (event.defaultPrevented || event.altKey || isOverlaid()) return
+      if (event.key === ' ') {
+        if (place === null || place === 'button') return
+        event.preventDefault()
+        if (event.repeat) return
         hand.spaceHeld = true
         hand.spaceUsed = false
         host.dataset.space = 'true'
+        return
       }
-      if (isTextField(event.target) || document.querySelector('dialog[open]')) return
+      if (isTextField(event.target)) return
       if (event.key === '?') openHelp()
-      const transition = pageKey(keyPressOf(event))
-      if (!transition) return
+      const press = keyPressOf(event)
+      const transition = pageKey(press) ?? (place && playbackKey(press, place))
+      if (!transition || (event.repeat && isSwitch(press))) return
       event.preventDefault()
       store.update(transition)
     },
@@ -108,7 +123,13 @@ export function bindInput(
   window.addEventListener(
     'keyup',
     (event) => {
-      if (event.key === ' ') letGoOfSpace()
+      if (event.key !== ' ' || !hand.spaceHeld) return
+      letGoOfSpace()
+      const place = placeOfKey(event.target)
+      if (hand.spaceUsed || place === null) return
+      const press = keyPressOf(event)
+      const transition = place === 'cursor' ? mapKey(press, true) : playbackKey(press, place)
+      if (transition) store.update(transition)
     },
     { signal },
   )
@@ -125,14 +146,18 @@ const keyPressOf = ({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): KeyPres
   shift: shiftKey,
 })
 
-function gripUnder({ view, setup }: State, { x, y }: Point): string {
-  return gripAt(setup.problem, cellAt(view, setup.problem.grid, x, y))
-}
+/** Held down it would flicker. */
+const isSwitch = ({ key }: KeyPress): boolean => key.toLowerCase() === 'k'
 
-const TEXT_FIELDS = 'input:not([type=checkbox], [type=radio]), textarea'
+const TEXT_FIELDS = 'input:not([type=checkbox], [type=radio], [type=range]), textarea'
 
 const isTextField = (target: EventTarget | null): boolean =>
   target instanceof Element && target.matches(TEXT_FIELDS)
 
-const isControl = (target: EventTarget | null): boolean =>
-  target instanceof Element && target.matches('button, input, select, textarea, a')
+/** `null` where no key is for the playback. */
+function keyPlaceOf(target: EventTarget | null): KeyPlace | null {
+  if (!(target instanceof Element)) return 'elsewhere'
+  if (isTextField(target) || target.matches('select')) return null
+  if (target.matches('[type=range]')) return 'scrubber'
+  return target.matches('button, input, a') ? 'button' : 'elsewhere'
+}

@@ -1,7 +1,7 @@
 import { type Direction, DX, DY } from '../../grid/directions'
 import { type Cell, cellName, type Grid, isInside, pointOf } from '../../grid/grid'
-import type { Problem } from '../../grid/problem'
 import { cellRect, panBy, type Rect, type ScreenSize, type View, zoomAt } from '../../render/view'
+import { cellInWords } from '../cell-line'
 import { roomForMap } from '../layout/room'
 import { withGrid, withMark } from '../setup'
 import type { State } from '../state'
@@ -13,6 +13,7 @@ import {
   moveCursor,
   redo,
   say,
+  sayOfCell,
   tell,
   undo,
 } from '../transitions'
@@ -44,15 +45,21 @@ export function pageKey({ key, command, shift }: KeyPress): Transition | null {
   return letter === 'y' ? redo : null
 }
 
-/** What a key does while the map has the focus; `null` if nothing. Space counts when it goes up. */
-export function mapKey({ key, command }: KeyPress): Transition | null {
+/**
+ * What a key does while the map has the focus; `null` if nothing. Space counts when it goes up.
+ * Without a cursor, Space and the arrows along the time line are for the playback, as everywhere.
+ */
+export function mapKey({ key, command, shift }: KeyPress, cursorShown: boolean): Transition | null {
   if (command) return null
   const direction = ARROWS[key]
+  const isSideways = key === 'ArrowLeft' || key === 'ArrowRight'
+  if (isSideways && (shift || !cursorShown)) return null
   if (direction !== undefined) return (state) => moved(state, direction)
   switch (key) {
     case 'Enter':
-    case ' ':
       return toggled
+    case ' ':
+      return cursorShown ? toggled : null
     case 's':
     case 'S':
       return (state) => marked(state, 'start')
@@ -88,7 +95,8 @@ function moved(state: State, direction: Direction): State {
   const [toX, toY] = [x + DX[direction], y + DY[direction]]
   const cell = isInside(grid, toX, toY) ? toY * grid.width + toX : state.cursor
   const edge = cell === state.cursor ? 'Edge of the map. ' : ''
-  return say(revealed(moveCursor(state, cell)), edge + cellInWords(state.setup.problem, cell))
+  const text = `${edge}${cellInWords(state.setup.problem, cell)}.`
+  return sayOfCell(revealed(moveCursor(state, cell)), text)
 }
 
 /** The view moved as little as shows the cursor, clear of the cards. */
@@ -124,7 +132,8 @@ function toggled(state: State): State {
   const { setup, cursor } = state
   // Nothing is changed at a cell that nobody sees.
   if (!state.cursorShown) {
-    return say(revealed(moveCursor(state, cursor)), cellInWords(setup.problem, cursor))
+    const text = `${cellInWords(setup.problem, cursor)}.`
+    return sayOfCell(revealed(moveCursor(state, cursor)), text)
   }
   const { problem } = setup
   const grip = gripAt(problem, cursor)
@@ -148,15 +157,4 @@ function marked(state: State, mark: 'start' | 'goal'): State {
   }
   if (setup.problem[mark] === cursor) return say(shown, `The ${mark} is at ${name} already.`)
   return change(shown, withMark(setup, mark, cursor), `The ${mark} is now at ${name}.`)
-}
-
-/** "(7, 12), obstacle". */
-export function cellInWords(problem: Problem, cell: Cell): string {
-  const { grid, start, goal } = problem
-  const names = [
-    ...(cell === start ? ['start'] : []),
-    ...(cell === goal ? ['goal'] : []),
-    ...(grid.walls[cell] ? ['obstacle'] : []),
-  ]
-  return `${cellName(grid.width, cell)}, ${names.join(' and ') || 'free'}`
 }

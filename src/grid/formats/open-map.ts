@@ -3,7 +3,8 @@ import { describe, excerpt } from '../excerpt'
 import { MAX_SIDE } from '../grid'
 import { problemFromText } from '../text-map'
 import { parseJson } from './json'
-import type { OpenedMap } from './opened-map'
+import { readMovingAiMap } from './movingai'
+import { type OpenedMap, openedWithoutEnds } from './opened-map'
 import { readOriginal } from './original-file'
 import { FORMAT, readProject } from './project-file'
 
@@ -14,7 +15,8 @@ export const MAX_FILE_LENGTH = 2 ** 24
 const MAX_TEXT_MAP_LENGTH = 2 * MAX_SIDE * MAX_SIDE
 
 /**
- * Opens a map file: this project's own JSON, the JSON of the original Path Planner, or a text map.
+ * Opens a map file: this project's own JSON, the JSON of the original Path Planner, a MovingAI map
+ * (whose problems do not allow steps past a corner), or a text map.
  * @throws InputError that says what is wrong with the file, and where.
  */
 export function openMap(text: string): OpenedMap {
@@ -24,13 +26,16 @@ export function openMap(text: string): OpenedMap {
   const beginning = content.trimStart().slice(0, 100)
   if (beginning === '') throw new InputError('The file is empty.')
   if (beginning.startsWith('{')) return openJson(Object(parseJson(content)))
+  if (beginning.startsWith('type ')) {
+    return openedWithoutEnds(readMovingAiMap(content.trimStart()), 'only-when-no-obstacles')
+  }
   if (/^[#.SG]{2}/.test(beginning)) {
     checkLength(content, MAX_TEXT_MAP_LENGTH)
     return { problem: problemFromText(content), notes: [] }
   }
   throw new InputError(
-    `This file is no map. It begins with ${excerpt(beginning)}, but a map is a JSON object ({…}) ` +
-      'or rows of "#" obstacle, "." free, "S" start and "G" goal.',
+    `This file is no map. It begins with ${excerpt(beginning)}, but a map is a JSON object ({…}), ` +
+      'a MovingAI map ("type octile") or rows of "#" obstacle, "." free, "S" start and "G" goal.',
   )
 }
 

@@ -1,10 +1,9 @@
 import * as v from 'valibot'
-import { defaultEnds } from '../ends'
 import { InputError } from '../errors'
 import { describe } from '../excerpt'
-import { cellName, type Grid } from '../grid'
+import type { Grid } from '../grid'
 import { checkSize } from '../problem'
-import type { OpenedMap } from './opened-map'
+import { type OpenedMap, openedWithoutEnds } from './opened-map'
 import { list, readShape, whole } from './shape'
 
 const shape = v.object({ size: v.object({ x: whole, y: whole }), wall_map: list })
@@ -23,13 +22,7 @@ const words = {
  */
 export function readOriginal(value: unknown): OpenedMap {
   const { size, wall_map: columns } = readShape(shape, words, value)
-  const grid = gridFromColumns(size.x, size.y, columns)
-  const { start, goal } = defaultEnds(grid)
-  const places = `${cellName(grid.width, start)} and ${cellName(grid.width, goal)}`
-  return {
-    problem: { grid, start, goal, diagonal: 'if-at-most-one-obstacle' },
-    notes: [`The file has no start or goal: they were put at ${places}.`],
-  }
+  return openedWithoutEnds(gridFromColumns(size.x, size.y, columns), 'if-at-most-one-obstacle')
 }
 
 function gridFromColumns(width: number, height: number, columns: readonly unknown[]): Grid {

@@ -1,4 +1,5 @@
 import type { Cell } from '../../grid/grid'
+import type { Pen } from '../pen'
 import {
   cellsAreAtLeast,
   centreX,
@@ -11,61 +12,49 @@ import type { Theme } from '../theme'
 
 const NUMBERS_FROM = 22
 
-type Context = CanvasRenderingContext2D
-
 /** Hit points: full triangles that point down, numbered in their order. */
-export function drawHits(
-  context: Context,
-  place: Placement,
-  theme: Theme,
-  cells: readonly Cell[],
-): void {
+export function drawHits(pen: Pen, place: Placement, theme: Theme, cells: readonly Cell[]): void {
   cells.forEach((cell, i) => {
     if (!isVisible(place, cell)) return
-    traceTriangle(context, place, cell, 1)
-    fillAndRim(context, place, theme.hit, theme.casing)
-    drawNumber(context, place, cell, i + 1, 1, theme.casing)
+    traceTriangle(pen, place, cell, 1)
+    fillAndRim(pen, place, theme.hit, theme.casing)
+    drawNumber(pen, place, cell, i + 1, 1, theme.casing)
   })
 }
 
 /** Leave points: hollow triangles that point up, numbered in their order. */
-export function drawLeaves(
-  context: Context,
-  place: Placement,
-  theme: Theme,
-  cells: readonly Cell[],
-): void {
+export function drawLeaves(pen: Pen, place: Placement, theme: Theme, cells: readonly Cell[]): void {
   cells.forEach((cell, i) => {
     if (!isVisible(place, cell)) return
-    traceTriangle(context, place, cell, -1)
-    fillAndRim(context, place, theme.casing, theme.leave)
-    drawNumber(context, place, cell, i + 1, -1, theme.leave)
+    traceTriangle(pen, place, cell, -1)
+    fillAndRim(pen, place, theme.casing, theme.leave)
+    drawNumber(pen, place, cell, i + 1, -1, theme.leave)
   })
 }
 
 /** A triangle around the centre of a cell; `down` is 1 if it points down, -1 if up. */
-function traceTriangle(context: Context, place: Placement, cell: Cell, down: number): void {
+function traceTriangle(pen: Pen, place: Placement, cell: Cell, down: number): void {
   const radius = inProportion(place, 0.44, 5, 22)
   const x = centreX(place, cell)
   const y = centreY(place, cell) - 0.12 * radius * down
-  context.beginPath()
-  context.moveTo(x, y + radius * down)
-  context.lineTo(x - 0.92 * radius, y - 0.62 * radius * down)
-  context.lineTo(x + 0.92 * radius, y - 0.62 * radius * down)
-  context.closePath()
+  pen.beginPath()
+  pen.moveTo(x, y + radius * down)
+  pen.lineTo(x - 0.92 * radius, y - 0.62 * radius * down)
+  pen.lineTo(x + 0.92 * radius, y - 0.62 * radius * down)
+  pen.closePath()
 }
 
-function fillAndRim(context: Context, place: Placement, fill: string, rim: string): void {
-  context.lineJoin = 'round'
-  context.fillStyle = fill
-  context.fill()
-  context.strokeStyle = rim
-  context.lineWidth = inProportion(place, 0.07, 1.5, 2.5)
-  context.stroke()
+function fillAndRim(pen: Pen, place: Placement, fill: string, rim: string): void {
+  pen.lineJoin = 'round'
+  pen.fillStyle = fill
+  pen.fill()
+  pen.strokeStyle = rim
+  pen.lineWidth = inProportion(place, 0.07, 1.5, 2.5)
+  pen.stroke()
 }
 
 function drawNumber(
-  context: Context,
+  pen: Pen,
   place: Placement,
   cell: Cell,
   number: number,
@@ -74,9 +63,9 @@ function drawNumber(
 ): void {
   if (!cellsAreAtLeast(place, NUMBERS_FROM)) return
   const size = inProportion(place, 0.34, 7, 16)
-  context.font = `bold ${size}px Roboto, system-ui, sans-serif`
-  context.textAlign = 'center'
-  context.textBaseline = 'middle'
-  context.fillStyle = colour
-  context.fillText(String(number), centreX(place, cell), centreY(place, cell) - 0.22 * size * down)
+  pen.font = `bold ${size}px Roboto, system-ui, sans-serif`
+  pen.textAlign = 'center'
+  pen.textBaseline = 'middle'
+  pen.fillStyle = colour
+  pen.fillText(String(number), centreX(place, cell), centreY(place, cell) - 0.22 * size * down)
 }

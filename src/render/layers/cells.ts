@@ -1,15 +1,14 @@
+import type { Pen } from '../pen'
 import { edgeX, edgeY, type Placement } from '../placement'
 import type { Theme } from '../theme'
 
-/** The cells from an image with one pixel a cell, and a line around the map. */
+/** The cells from an image with one pixel a cell. */
 export function drawCells(
   context: CanvasRenderingContext2D,
   place: Placement,
-  theme: Theme,
   image: HTMLCanvasElement,
 ): void {
   const { fromX, fromY, toX, toY } = place
-  drawBorder(context, place, theme)
   if (toX <= fromX || toY <= fromY) return
   const left = edgeX(place, fromX)
   const top = edgeY(place, fromY)
@@ -21,12 +20,13 @@ export function drawCells(
   context.drawImage(image, fromX, fromY, toX - fromX, toY - fromY, left, top, width, height)
 }
 
-function drawBorder(context: CanvasRenderingContext2D, place: Placement, theme: Theme): void {
+/** A line around the map, drawn as what the cells leave of a larger rectangle. */
+export function drawBorder(pen: Pen, place: Placement, theme: Theme): void {
   const line = Math.max(1, Math.round(place.pixel))
   const left = edgeX(place, 0) - line
   const top = edgeY(place, 0) - line
-  context.fillStyle = theme.border
-  context.fillRect(
+  pen.fillStyle = theme.border
+  pen.fillRect(
     left,
     top,
     edgeX(place, place.columns) - left + line,

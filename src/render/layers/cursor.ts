@@ -1,28 +1,22 @@
 import type { Cell } from '../../grid/grid'
-import { edgeX, edgeY, type Placement } from '../placement'
+import type { Pen } from '../pen'
+import type { Placement } from '../placement'
 import type { Theme } from '../theme'
+import { boxAround, inset, strokeBox } from './boxes'
 
-const LEAST_SIDE = 12
+const LEAST_CURSOR = 12
+const LEAST_HOVERED = 8
 
 /** The keyboard's cell: a frame of two lines, one of which stands out on any cell. */
-export function drawCursor(
-  context: CanvasRenderingContext2D,
-  place: Placement,
-  theme: Theme,
-  cell: Cell,
-): void {
-  const x = cell % place.columns
-  const y = Math.floor(cell / place.columns)
+export function drawCursor(pen: Pen, place: Placement, theme: Theme, cell: Cell): void {
   const line = Math.round(2 * place.pixel)
-  const side = Math.max(edgeX(place, x + 1) - edgeX(place, x), LEAST_SIDE * place.pixel)
-  const left = Math.round((edgeX(place, x) + edgeX(place, x + 1) - side) / 2)
-  const top = Math.round((edgeY(place, y) + edgeY(place, y + 1) - side) / 2)
-  const frame = (colour: string, width: number) => {
-    context.strokeStyle = colour
-    context.lineWidth = width
-    context.strokeRect(left - line / 2, top - line / 2, side + line, side + line)
-  }
-  context.lineJoin = 'round'
-  frame(theme.casing, 3 * line)
-  frame(theme.cursor, line)
+  const box = boxAround(place, cell, cell, LEAST_CURSOR * place.pixel)
+  strokeBox(pen, inset(box, -line / 2), line, theme.casing, theme.cursor)
+}
+
+/** The cell that is asked about: the same, but thinner and within the cell. */
+export function drawHovered(pen: Pen, place: Placement, theme: Theme, cell: Cell): void {
+  const line = Math.max(1, Math.round(place.pixel))
+  const box = boxAround(place, cell, cell, LEAST_HOVERED * place.pixel)
+  strokeBox(pen, inset(box, 1.5 * line), line, theme.casing, theme.cursor)
 }

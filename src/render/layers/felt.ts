@@ -1,4 +1,5 @@
 import type { Grid } from '../../grid/grid'
+import type { Pen } from '../pen'
 import { cellsAreAtLeast, centreX, centreY, type Placement } from '../placement'
 import type { Theme } from '../theme'
 
@@ -6,23 +7,23 @@ const DOTS_FROM = 10
 
 /** A dot on each obstacle cell that the rover has felt: told from the others without its colour. */
 export function drawFelt(
-  context: CanvasRenderingContext2D,
+  pen: Pen,
   place: Placement,
   theme: Theme,
   { walls, width }: Grid,
   felt: Uint8Array,
 ): void {
   if (!cellsAreAtLeast(place, DOTS_FROM)) return
-  context.fillStyle = theme.feltMark
-  context.beginPath()
+  pen.fillStyle = theme.feltMark
+  pen.beginPath()
   for (let y = place.fromY; y < place.toY; y++) {
     for (let x = place.fromX; x < place.toX; x++) {
       const cell = y * width + x
       if (!felt[cell] || !walls[cell]) continue
       const radius = 0.11 * place.cell
-      context.moveTo(centreX(place, cell) + radius, centreY(place, cell))
-      context.arc(centreX(place, cell), centreY(place, cell), radius, 0, 2 * Math.PI)
+      pen.moveTo(centreX(place, cell) + radius, centreY(place, cell))
+      pen.arc(centreX(place, cell), centreY(place, cell), radius, 0, 2 * Math.PI)
     }
   }
-  context.fill()
+  pen.fill()
 }

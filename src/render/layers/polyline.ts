@@ -1,4 +1,5 @@
 import type { Cell } from '../../grid/grid'
+import type { Pen } from '../pen'
 import { centreX, centreY, type Placement } from '../placement'
 
 /** Whether a line between two cells may be seen: its box meets the part of the map on screen. */
@@ -21,19 +22,19 @@ function goesStraightOn({ columns }: Placement, a: Cell, b: Cell, c: Cell): bool
  * straight runs as one segment, and only what may be seen.
  */
 export function traceCells(
-  context: Pick<CanvasRenderingContext2D, 'moveTo' | 'lineTo'>,
+  pen: Pick<Pen, 'moveTo' | 'lineTo'>,
   place: Placement,
-  cells: readonly Cell[],
+  cells: ArrayLike<Cell>,
 ): void {
-  let pen = -1
+  let drawn = -1
   let from = 0
   for (let i = 1; i < cells.length; i++) {
     if (i + 1 < cells.length && goesStraightOn(place, cells[i - 1], cells[i], cells[i + 1]))
       continue
     if (mayBeSeen(place, cells[from], cells[i])) {
-      if (pen !== from) context.moveTo(centreX(place, cells[from]), centreY(place, cells[from]))
-      context.lineTo(centreX(place, cells[i]), centreY(place, cells[i]))
-      pen = i
+      if (drawn !== from) pen.moveTo(centreX(place, cells[from]), centreY(place, cells[from]))
+      pen.lineTo(centreX(place, cells[i]), centreY(place, cells[i]))
+      drawn = i
     }
     from = i
   }

@@ -1,32 +1,33 @@
 import type { Grid } from '../../grid/grid'
-import { heatInks, heatLevel, type PotentialRange } from '../heat'
+import { type FieldRange, heatInks, heatLevel } from '../heat'
+import type { Pen } from '../pen'
 import { cellsAreAtLeast, centreX, centreY, inProportion, type Placement } from '../placement'
 import { potentialLabel } from '../potential-label'
 import type { Theme } from '../theme'
 
 const NUMBERS_FROM = 26
 
-/** The potential of each free cell as a number, where cells are large enough to hold it. */
+/** The values of a field of potentials as numbers in its free cells, where cells are large enough to hold it. */
 export function drawPotentials(
-  context: CanvasRenderingContext2D,
+  pen: Pen,
   place: Placement,
   theme: Theme,
   { walls, width }: Grid,
-  potential: Float64Array,
-  range: PotentialRange,
+  field: Float64Array,
+  range: FieldRange,
 ): void {
   if (!cellsAreAtLeast(place, NUMBERS_FROM)) return
   const inks = heatInks(theme)
-  context.font = `${inProportion(place, 0.32, 8, 15)}px Roboto, system-ui, sans-serif`
-  context.textAlign = 'center'
-  context.textBaseline = 'middle'
+  pen.font = `${inProportion(place, 0.32, 8, 15)}px Roboto, system-ui, sans-serif`
+  pen.textAlign = 'center'
+  pen.textBaseline = 'middle'
   for (let y = place.fromY; y < place.toY; y++) {
     for (let x = place.fromX; x < place.toX; x++) {
       const cell = y * width + x
-      const level = heatLevel(range, potential[cell])
+      const level = heatLevel(range, field[cell])
       if (level < 0 || walls[cell]) continue
-      context.fillStyle = inks[level]
-      context.fillText(potentialLabel(potential[cell]), centreX(place, cell), centreY(place, cell))
+      pen.fillStyle = inks[level]
+      pen.fillText(potentialLabel(field[cell]), centreX(place, cell), centreY(place, cell))
     }
   }
 }

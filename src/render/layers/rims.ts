@@ -1,6 +1,7 @@
 import { DX, DY, isDiagonal } from '../../grid/directions'
 import type { Cell, Grid } from '../../grid/grid'
 import { obstaclesAround } from '../../grid/steps'
+import type { Pen } from '../pen'
 import { cellsAreAtLeast, edgeX, edgeY, inProportion, type Placement } from '../placement'
 
 const RIMS_FROM = 10
@@ -8,7 +9,7 @@ const ALL_AROUND = 0xff
 
 /** A rim inside the obstacles, along their outline, in the colour that is given for each cell. */
 export function drawRims(
-  context: CanvasRenderingContext2D,
+  pen: Pen,
   place: Placement,
   grid: Grid,
   colourOf: (cell: Cell) => string,
@@ -21,8 +22,8 @@ export function drawRims(
       if (grid.walls[cell] === 0) continue
       const obstacles = obstaclesAround(grid, cell)
       if (obstacles === ALL_AROUND) continue
-      context.fillStyle = colourOf(cell)
-      for (let d = 0; d < 8; d++) if (hasRim(obstacles, d)) drawRim(context, place, x, y, d, rim)
+      pen.fillStyle = colourOf(cell)
+      for (let d = 0; d < 8; d++) if (hasRim(obstacles, d)) drawRim(pen, place, x, y, d, rim)
     }
   }
 }
@@ -33,17 +34,10 @@ function hasRim(obstacles: number, d: number): boolean {
   return isFree(d) && !(isDiagonal(d) && (isFree(d - 1) || isFree(d + 1)))
 }
 
-function drawRim(
-  context: CanvasRenderingContext2D,
-  place: Placement,
-  x: number,
-  y: number,
-  d: number,
-  rim: number,
-): void {
+function drawRim(pen: Pen, place: Placement, x: number, y: number, d: number, rim: number): void {
   const left = DX[d] > 0 ? edgeX(place, x + 1) - rim : edgeX(place, x)
   const top = DY[d] > 0 ? edgeY(place, y + 1) - rim : edgeY(place, y)
   const width = DX[d] === 0 ? edgeX(place, x + 1) - left : rim
   const height = DY[d] === 0 ? edgeY(place, y + 1) - top : rim
-  context.fillRect(left, top, width, height)
+  pen.fillRect(left, top, width, height)
 }

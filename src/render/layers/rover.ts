@@ -1,12 +1,12 @@
 import type { Cell } from '../../grid/grid'
+import type { Pen } from '../pen'
 import { centreX, centreY, edgeX, edgeY, inProportion, type Placement } from '../placement'
 import type { Theme } from '../theme'
-
-type Context = CanvasRenderingContext2D
+import { traceTurned } from './turned'
 
 /** The square that the rover senses, as far as it lies on the map. */
 export function drawSensedSquare(
-  context: Context,
+  pen: Pen,
   place: Placement,
   theme: Theme,
   rover: Cell,
@@ -19,38 +19,37 @@ export function drawSensedSquare(
   const width = edgeX(place, Math.min(place.columns, x + range + 1)) - left
   const height = edgeY(place, Math.min(place.rows, y + range + 1)) - top
   const line = Math.round(inProportion(place, 0.06, 1, 2))
-  context.fillStyle = theme.sensorArea
-  context.fillRect(left, top, width, height)
-  context.strokeStyle = theme.sensor
-  context.lineWidth = line
-  context.strokeRect(left + line / 2, top + line / 2, width - line, height - line)
+  pen.fillStyle = theme.sensorArea
+  pen.fillRect(left, top, width, height)
+  pen.strokeStyle = theme.sensor
+  pen.lineWidth = line
+  pen.strokeRect(left + line / 2, top + line / 2, width - line, height - line)
 }
 
 /** The rover, or the agent in a potential field: an arrow head in the direction of `angle`. */
 export function drawRover(
-  context: Context,
+  pen: Pen,
   place: Placement,
   theme: Theme,
   rover: Cell,
   angle: number,
 ): void {
   const size = inProportion(place, 0.36, 5.5, 24)
-  context.save()
-  context.translate(centreX(place, rover), centreY(place, rover))
-  context.rotate(angle)
-  context.beginPath()
-  context.moveTo(size, 0)
-  context.lineTo(-0.75 * size, 0.75 * size)
-  context.lineTo(-0.35 * size, 0)
-  context.lineTo(-0.75 * size, -0.75 * size)
-  context.closePath()
-  context.lineJoin = 'round'
-  context.strokeStyle = theme.casing
-  context.lineWidth = inProportion(place, 0.1, 2.5, 5)
-  context.stroke()
-  context.fillStyle = theme.rover
-  context.fill()
-  context.restore()
+  const points = [
+    [size, 0],
+    [-0.75 * size, 0.75 * size],
+    [-0.35 * size, 0],
+    [-0.75 * size, -0.75 * size],
+  ] as const
+  pen.beginPath()
+  traceTurned(pen, centreX(place, rover), centreY(place, rover), angle, points)
+  pen.closePath()
+  pen.lineJoin = 'round'
+  pen.strokeStyle = theme.casing
+  pen.lineWidth = inProportion(place, 0.1, 2.5, 5)
+  pen.stroke()
+  pen.fillStyle = theme.rover
+  pen.fill()
 }
 
 /** Where the trail leads, as an angle clockwise from east; towards the goal while it has not begun. */

@@ -1,0 +1,21 @@
+import { EVENT } from '../trace/events'
+import { isAtEnd, type Moment } from './moment'
+import { scoreOf, stepAt } from './score'
+
+/**
+ * Where a loop began: the number of the step that brought the rover to the place and into the state
+ * that the present step finds again; `null` if this step is not about a loop. The planner counts
+ * steps of its rover, the page counts all that happens.
+ */
+export function loopBegan(moment: Moment): number | null {
+  const { shown, frame } = moment
+  const { kinds, values, length } = shown.tape
+  const latest = isAtEnd(moment) ? length - 2 : frame.time - 1
+  if (kinds[latest] !== EVENT.loop) return null
+  let walked = -1
+  for (let i = 0; i < latest; i++) {
+    if (kinds[i] === EVENT.step) walked++
+    if (walked === values[latest]) return stepAt(scoreOf(shown.tape), i + 1)
+  }
+  return null
+}

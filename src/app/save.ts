@@ -1,0 +1,91 @@
+import type { Grid } from '../grid/grid'
+import type { Scene } from '../render/scene'
+import { plannerOf } from './setup'
+import { type State, visiblePlan } from './state'
+import type { Store } from './store'
+import { say, tell } from './transitions'
+
+/** A file as it is handed to the browser. */
+interface Saved {
+  readonly name: string
+  readonly content: string | Blob
+}
+
+/** The map's name without an ending, the same for all files that belong together. */
+const nameOf = ({ width, height }: Grid): string => `path-planner-${width}x${height}`
+
+async function projectFile({ setup }: State): Promise<Saved[]> {
+  const { saveProject } = await import('../grid/formats/project-file')
+  const { problem } = setup
+  return [{ name: `${nameOf(problem.grid)}.json`, content: saveProject(problem) }]
+}
+
+async function mapFile({ setup }: State): Promise<Saved> {
+  const { movingAiMap } = await import('../grid/formats/movingai')
+  const { grid } = setup.problem
+  return { name: `${nameOf(grid)}.map`, content: movingAiMap(grid) }
+}
+
+/** The trace of the plan on screen, and the map that it opens upon. */
+async function traceFiles(state: State): Promise<Saved[]> {
+  const shown = visiblePlan(state)
+  if (!shown) throw new Error('There is no plan on screen.')
+  const { posthocTrace } = await import('../trace/posthoc')
+  const { setup, tape } = shown
+  const { id, title, phases, variables } = plannerOf(setup)
+  const map = await mapFile({ ...state, setup })
+  const { problem } = setup
+  const info = { plannerId: id, title, phases, variables, problem, mapFile: map.name }
+  const name = `${nameOf(problem.grid)}-${id}.trace.json`
+  return [{ name, content: posthocTrace(tape, info) }, map]
+}
+
+async function pictureFile({ setup }: State, scene: Scene, kind: 'png' | 'svg'): Promise<Saved> {
+  const { pictureAsPng, pictureAsSvg } = await import('../render/export')
+  const name = `${nameOf(setup.problem.grid)}-${setup.plannerId}.${kind}`
+  const asMap = { ...scene, cursor: -1, hovered: -1 }
+  const content = kind === 'png' ? await pictureAsPng(asMap) : pictureAsSvg(asMap)
+  return { name, content }
+}
+
+/** How to save, by the name of the menu's entry. What goes wrong is told. */
+export function savers(store: Store<State>, sceneNow: () => Scene) {
+  const save = (files: (state: State) => Promise<readonly Saved[]>) => () => {
+    void files(store.state).then(
+      (saved) => {
+        for (const file of saved) download(file)
+        const names = saved.map(({ name }) => name).join(' and ')
+        store.update((state) => say(state, `Saved as ${names}.`))
+      },
+      (error: unknown) => {
+        const why = error instanceof Error ? error.message : String(error)
+        store.update((state) => tell(state, 'error', `Nothing was saved. ${why}`))
+      },
+    )
+  }
+  return {
+    save: save(projectFile),
+    'save-map': save(async (state) => [await mapFile(state)]),
+    'save-trace': save(traceFiles),
+    'save-png': save(async (state) => [await pictureFile(state, sceneNow(), 'png')]),
+    'save-svg': save(async (state) => [await pictureFile(state, sceneNow(), 'svg')]),
+  }
+}
+
+const TYPES: Readonly<Record<string, string>> = {
+  json: 'application/json',
+  map: 'text/plain',
+  svg: 'image/svg+xml',
+}
+
+function download({ name, content }: Saved): void {
+  const type = TYPES[name.slice(name.lastIndexOf('.') + 1)]
+  const blob = typeof content === 'string' ? new Blob([content], { type }) : content
+  const url = URL.createObjectURL(blob)
+  const link = document.createElement('a')
+  link.href = url
+  link.download = name
+  link.click()
+  // The browser may begin to read it only after this.
+  setTimeout(() => URL.revokeObjectURL(url), 60_000)
+}

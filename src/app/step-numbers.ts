@@ -1,0 +1,46 @@
+import { cellName } from '../grid/grid'
+import type { Moment } from './moment'
+import { countInWords, numberInWords } from './numbers'
+import { plannerOf } from './setup'
+import type { Row } from './words'
+
+const YET_UNKNOWN = '–'
+
+/**
+ * The planner's numbers at this moment. Which rows there are depends on the whole plan, so that
+ * they stay in their places while one steps through it.
+ */
+export function stepNumbers({ shown, frame }: Moment): Row[] {
+  const { tape, last, setup } = shown
+  const { phases, variables, family } = plannerOf(setup)
+  const rows: Row[] = []
+  const row = (label: string, value: string) => rows.push({ label, value })
+  const count = (value: number) => numberInWords(value)
+
+  if (phases.length > 0) row('Phase', phases[frame.phase] ?? YET_UNKNOWN)
+  if (last.rover >= 0) {
+    row('Position', frame.rover < 0 ? YET_UNKNOWN : cellName(tape.width, frame.rover))
+    row('Walked', countInWords(Math.max(0, frame.trail.length - 1), 'step'))
+  }
+  if (family === 'online') {
+    const side = frame.turn === 0 ? 'left' : 'right'
+    row('Boundary', frame.following ? `on the ${side}` : 'not followed')
+  }
+  variables.forEach((name, i) => {
+    const value = frame.values[i]
+    const label = `${name.charAt(0).toUpperCase()}${name.slice(1)}`
+    // A variable's own name, such as d_reach, stays as the pseudocode writes it.
+    row(name.includes('_') ? name : label, value === undefined ? YET_UNKNOWN : numberInWords(value))
+  })
+  if (last.rows > 0) row('Rows of the graph', count(frame.rows))
+  if (last.vertices.length > 0) {
+    row('Vertices', count(frame.vertices.length))
+    row('Edges', count(frame.edges.length / 2))
+  }
+  if (last.open + last.closed > 0) {
+    row('Cost', frame.open + frame.closed > 0 ? numberInWords(frame.cost) : YET_UNKNOWN)
+    row('Open', count(frame.open))
+    row('Closed', count(frame.closed))
+  }
+  return rows
+}

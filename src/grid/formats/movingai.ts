@@ -1,0 +1,141 @@
+import { InputError } from '../errors'
+import { describe, excerpt } from '../excerpt'
+import type { Grid, Point } from '../grid'
+import { checkSize } from '../problem'
+import { gridToRows } from '../text-map'
+
+/**
+ * The map in the format of the MovingAI benchmarks, `.` free and `@` obstacle. Start, goal and the
+ * diagonal rule have no place in it.
+ * Source: N. R. Sturtevant, "Benchmarks for grid-based pathfinding", 2012.
+ */
+export function movingAiMap(grid: Grid): string {
+  const rows = gridToRows(grid).map((row) => row.replaceAll('#', '@'))
+  return `type octile\nheight ${grid.height}\nwidth ${grid.width}\nmap\n${rows.join('\n')}\n`
+}
+
+/** The signs of cells that can be passed: ground, ground of another kind, swamp. */
+const PASSABLE: ReadonlySet<number> = new Set(Array.from('.GS', (sign) => sign.charCodeAt(0)))
+
+/**
+ * The map in a MovingAI file: `.`, `G` and `S` are free, every other sign is an obstacle.
+ * @throws InputError that names the line of the header or the row of the map that is wrong.
+ */
+export function readMovingAiMap(text: string): Grid {
+  // Four lines of header and the rest in one piece, so that no file makes more lines than its height.
+  const header = /^(.*)\r?\n(.*)\r?\n(.*)\r?\n(.*)(?:\r?\n|$)/.exec(text)
+  if (!header) {
+    throw new InputError(
+      'The map ends in its header: expected the lines "type octile", "height", "width" and "map".',
+    )
+  }
+  mustBe(header[1], 1, 'type octile')
+  const height = sizeIn(header[2], 2, 'height')
+  const width = sizeIn(header[3], 3, 'width')
+  mustBe(header[4], 4, 'map')
+  checkSize(width, height)
+  return readRows(text, header[0].length, width, height)
+}
+
+function mustBe(line: string, number: number, expected: string): void {
+  if (line.trimEnd() === expected) return
+  throw new InputError(`Line ${number} must be "${expected}", but is ${excerpt(line)}.`)
+}
+
+function sizeIn(line: string, number: number, side: string): number {
+  const match = /^(\w+) +(\d+)\s*$/.exec(line)
+  if (match?.[1] === side) return Number(match[2])
+  throw new InputError(
+    `Line ${number} must be "${side}" and a whole number, but is ${excerpt(line)}.`,
+  )
+}
+
+function readRows(text: string, from: number, width: number, height: number): Grid {
+  const walls = new Uint8Array(width * height)
+  let at = from
+  for (let y = 0; y < height; y++) {
+    if (at >= text.length) {
+      throw new InputError(`The map ends after row ${y}, but its height is ${height}.`)
+    }
+    const end = endOfLine(text, at)
+    const length = text[end - 1] === '\r' && end > at ? end - 1 - at : end - at
+    if (length !== width) {
+      const fault = length < width ? `ends after column ${length}` : `has ${length} columns`
+      throw new InputError(`Row ${y + 1} of the map ${fault}, but its width is ${width}.`)
+    }
+    for (let x = 0; x < width; x++) {
+      if (!PASSABLE.has(text.charCodeAt(at + x))) walls[y * width + x] = 1
+    }
+    at = end + 1
+  }
+  const rest = text.slice(at).trim()
+  if (rest !== '') {
+    throw new InputError(
+      `After row ${height}, the map's height, the file goes on: ${excerpt(rest)}.`,
+    )
+  }
+  return { width, height, walls }
+}
+
+function endOfLine(text: string, from: number): number {
+  const end = text.indexOf('\n', from)
+  return end < 0 ? text.length : end
+}
+
+/** One line of a MovingAI scenario file: a problem on a map, and how long its shortest path is. */
+export interface Scenario {
+  readonly bucket: number
+  /** The map's file, as the scenario names it, and its size in cells. */
+  readonly map: string
+  readonly width: number
+  readonly height: number
+  readonly start: Point
+  readonly goal: Point
+  /** Length of a shortest path in cell sides, as many digits as the file prints. */
+  readonly length: number
+}
+
+const NUMBERS = ['bucket', 'width', 'height', 'start x', 'start y', 'goal x', 'goal y'] as const
+
+/**
+ * The scenarios in a MovingAI `.scen` file. Steps past a corner are not allowed in them: the
+ * diagonal rule is `only-when-no-obstacles`.
+ * @throws InputError that names the line.
+ */
+export function readScenarios(text: string): Scenario[] {
+  const lines = text.split(/\r?\n/)
+  if (!/^version +1(\.0+)?\s*$/.test(lines[0])) {
+    throw new InputError(`Line 1 must be "version 1", but is ${excerpt(lines[0])}.`)
+  }
+  return lines.flatMap((line, i) => (i === 0 || line.trim() === '' ? [] : [readLine(line, i + 1)]))
+}
+
+function readLine(line: string, number: number): Scenario {
+  const fail = (what: string) => new InputError(`Line ${number} of the scenarios: ${what}.`)
+  // The fields stand between tabs, in some files between blanks.
+  const fields = line.trim().split(line.includes('\t') ? '\t' : / +/)
+  if (fields.length !== 9) throw fail(`expected 9 fields, but there are ${fields.length}`)
+  const [bucket, map, ...others] = fields
+  const [width, height, startX, startY, goalX, goalY] = others
+  const values = [bucket, width, height, startX, startY, goalX, goalY].map((field, i) => {
+    if (/^\d{1,9}$/.test(field)) return Number(field)
+    throw fail(`the ${NUMBERS[i]} must be a whole number, but is ${describe(field)}`)
+  })
+  const length = fields[8]
+  if (!/^\d+(\.\d+)?$/.test(length)) {
+    throw fail(`the optimal length must be a number, but is ${describe(length)}`)
+  }
+  const place = (name: string, x: number, y: number): Point => {
+    if (x < values[1] && y < values[2]) return { x, y }
+    throw fail(`the ${name} (${x}, ${y}) is not on the ${values[1]} × ${values[2]} map`)
+  }
+  return {
+    bucket: values[0],
+    map,
+    width: values[1],
+    height: values[2],
+    start: place('start', values[3], values[4]),
+    goal: place('goal', values[5], values[6]),
+    length: Number(length),
+  }
+}

@@ -1,0 +1,118 @@
+import { CellCanvas, contextOf } from './cell-canvas'
+import { CellImage } from './cell-image'
+import { drawGround, drawMarks, drawPlan } from './drawing'
+import { edgeLines } from './edge-lines'
+import type { FieldRange } from './heat'
+import { drawBorder, drawCells } from './layers/cells'
+import { drawEdges } from './layers/roadmap'
+import type { Pen } from './pen'
+import { type Placement, placeMap } from './placement'
+import { planOnMap, type Scene } from './scene'
+import { svgCells } from './svg-cells'
+import { SvgPen, svgPaint } from './svg-pen'
+
+/** Side of a cell in pixels, unless the map is too large for that or another size is asked for. */
+const PNG_CELL = 48
+const SVG_CELL = 32
+/** Longer side of the map in pixels up to which cells have that size. */
+const USUAL_SIDE = 4096
+/** With the margins 8192 at most: browsers draw no canvas that is much larger. */
+const GREATEST_CELL = 128
+const GREATEST_SIDE = 8128
+/** Around the map, as wide as it is on the screen: room for marks that are larger than their cells. */
+const MARGIN = 8
+/** With cells of this size, lines and marks are as wide as on the screen; they grow with larger ones. */
+const SCREEN_CELL = 32
+
+interface WholeMap {
+  readonly place: Placement
+  readonly width: number
+  readonly height: number
+}
+
+/** The whole map with a margin around it. */
+function wholeMap({ problem }: Scene, cell: number): WholeMap {
+  const { grid } = problem
+  const pixel = Math.max(1, cell / SCREEN_CELL)
+  const margin = Math.ceil(MARGIN * pixel)
+  const width = grid.width * cell + 2 * margin
+  const height = grid.height * cell + 2 * margin
+  const view = { scale: cell / pixel, left: margin / pixel, top: margin / pixel }
+  return { place: placeMap(view, grid, { width, height, pixel }), width, height }
+}
+
+/** All that lies upon the cells. */
+function drawUponCells(pen: Pen, place: Placement, scene: Scene, range: FieldRange | null): void {
+  const frame = planOnMap(scene)?.frame
+  drawGround(pen, place, scene, range)
+  if (frame) {
+    drawEdges(pen, place, scene.theme, edgeLines(place.columns, place.rows, frame.edges))
+    drawPlan(pen, place, scene.theme, frame)
+  }
+  drawMarks(pen, place, scene)
+}
+
+/** A whole number of pixels, `size` unless the map's longer side would then pass `longest`. */
+function cellWithin({ problem }: Scene, size: number, longest: number): number {
+  const { width, height } = problem.grid
+  const most = longest / Math.max(width, height)
+  return Math.max(1, Math.floor(Math.min(size, most)))
+}
+
+/**
+ * The picture of the whole map as a PNG.
+ * @param cellSize side of a cell in pixels; less if it is more than 128 or a side of the picture
+ *   would be more than 8192
+ * @throws Error if the browser cannot make a picture of this size
+ */
+export async function pictureAsPng(scene: Scene, cellSize?: number): Promise<Blob> {
+  const usual = cellWithin(scene, PNG_CELL, USUAL_SIDE)
+  const asked = Math.min(cellSize ?? usual, GREATEST_CELL)
+  const { place, width, height } = wholeMap(scene, cellWithin(scene, asked, GREATEST_SIDE))
+  const canvas = document.createElement('canvas')
+  canvas.width = width
+  canvas.height = height
+  const context = contextOf(canvas)
+  const image = new CellImage()
+  const cells = new CellCanvas()
+  const box = image.update(scene)
+  if (box) cells.take(image.pixels, scene.problem.grid, box)
+  context.fillStyle = scene.theme.outside
+  context.fillRect(0, 0, width, height)
+  drawBorder(context, place, scene.theme)
+  drawCells(context, place, cells.canvas)
+  drawUponCells(context, place, scene, image.fieldRange)
+  return new Promise((resolve, reject) => {
+    canvas.toBlob((blob) => {
+      if (blob) resolve(blob)
+      else reject(new Error('This browser cannot make a picture of this size.'))
+    }, 'image/png')
+  })
+}
+
+/**
+ * The picture of the whole map as a standalone SVG file.
+ * @throws InputError if the map's cells need too many rectangles
+ */
+export function pictureAsSvg(scene: Scene): string {
+  const { theme, problem } = scene
+  const image = new CellImage()
+  image.update(scene)
+  const cells = svgCells(image.pixels, problem.grid.width)
+  const cell = cellWithin(scene, SVG_CELL, USUAL_SIDE)
+  const { place, width, height } = wholeMap(scene, cell)
+  const below = new SvgPen()
+  drawBorder(below, place, theme)
+  const above = new SvgPen()
+  drawUponCells(above, place, scene, image.fieldRange)
+  return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">
+<title>Map of ${problem.grid.width} × ${problem.grid.height} cells</title>
+<rect width="${width}" height="${height}"${svgPaint('fill', theme.outside)}/>
+${below.elements()}
+<g id="cells" transform="translate(${place.left} ${place.top}) scale(${cell})" shape-rendering="crispEdges">
+${cells}
+</g>
+${above.elements()}
+</svg>
+`
+}

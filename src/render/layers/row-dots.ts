@@ -1,0 +1,29 @@
+import type { Grid } from '../../grid/grid'
+import type { Pen } from '../pen'
+import { cellsAreAtLeast, centreX, centreY, inProportion, type Placement } from '../placement'
+import type { Theme } from '../theme'
+
+const DOTS_FROM = 4
+
+/** A dot in each free cell of the first `rows` rows: these are vertices of the grid's graph. */
+export function drawRowDots(
+  pen: Pen,
+  place: Placement,
+  theme: Theme,
+  { walls, width }: Grid,
+  rows: number,
+): void {
+  if (!cellsAreAtLeast(place, DOTS_FROM)) return
+  const radius = inProportion(place, 0.09, 0.75, 4)
+  pen.fillStyle = theme.vertex
+  pen.beginPath()
+  for (let y = place.fromY; y < Math.min(rows, place.toY); y++) {
+    for (let x = place.fromX; x < place.toX; x++) {
+      const cell = y * width + x
+      if (walls[cell]) continue
+      pen.moveTo(centreX(place, cell) + radius, centreY(place, cell))
+      pen.arc(centreX(place, cell), centreY(place, cell), radius, 0, 2 * Math.PI)
+    }
+  }
+  pen.fill()
+}

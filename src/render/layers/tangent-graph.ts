@@ -1,0 +1,43 @@
+import type { Cell } from '../../grid/grid'
+import type { Pen } from '../pen'
+import { centreX, centreY, inProportion, type Placement } from '../placement'
+import type { Theme } from '../theme'
+
+/** The local tangent graph: diamonds for its nodes, each joined to the rover by a thin line. */
+export function drawTangentGraph(
+  pen: Pen,
+  place: Placement,
+  theme: Theme,
+  rover: Cell,
+  nodes: readonly Cell[],
+): void {
+  const line = inProportion(place, 0.035, 0.75, 1.5)
+  const inMap = nodes.filter((node) => node >= 0)
+  pen.lineCap = 'butt'
+  pen.lineJoin = 'miter'
+  pen.strokeStyle = theme.sensor
+  pen.lineWidth = line
+  pen.beginPath()
+  for (const node of inMap) {
+    pen.moveTo(centreX(place, rover), centreY(place, rover))
+    pen.lineTo(centreX(place, node), centreY(place, node))
+  }
+  pen.stroke()
+
+  const radius = inProportion(place, 0.2, 3, 8)
+  pen.beginPath()
+  for (const node of inMap) {
+    const x = centreX(place, node)
+    const y = centreY(place, node)
+    pen.moveTo(x, y - radius)
+    pen.lineTo(x + radius, y)
+    pen.lineTo(x, y + radius)
+    pen.lineTo(x - radius, y)
+    pen.closePath()
+  }
+  pen.strokeStyle = theme.casing
+  pen.lineWidth = 4 * line
+  pen.stroke()
+  pen.fillStyle = theme.sensor
+  pen.fill()
+}

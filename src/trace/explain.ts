@@ -1,0 +1,107 @@
+import { type Cell, cellName } from '../grid/grid'
+import { EVENT, STATUSES, type Status } from './events'
+import type { Frame } from './frame'
+import type { TapeColumns } from './tape'
+
+const SIDES = ['left', 'right'] as const
+
+const ENDS: Record<Status, string> = {
+  reached: 'the goal is reached',
+  unreachable: 'it is proven that no path exists',
+  'not-found': 'this planner gives up; a path may exist',
+  'local-minimum': 'a local minimum',
+  'dead-end': 'a dead end',
+  loop: 'the rover goes round for ever',
+}
+
+/**
+ * One plain sentence about a step of the planner.
+ * @param first the event with which the step begins
+ * @param frame the picture after the step
+ * @param phases names of the planner's phases
+ */
+export function explain(
+  tape: TapeColumns,
+  first: number,
+  frame: Frame,
+  phases: readonly string[],
+): string {
+  const cell = tape.cells[first]
+  const other = tape.others[first]
+  const value = tape.values[first]
+  const name = (place: Cell) => (place < 0 ? 'the border of the map' : cellName(tape.width, place))
+  const row = Math.floor(cell / tape.width)
+  switch (tape.kinds[first]) {
+    case EVENT.phase:
+      return `${phases[other] ?? `Phase ${other + 1}`}.`
+    case EVENT.end: {
+      const place = cell < 0 ? '' : ` at ${name(cell)}`
+      return `The end${place}: ${ENDS[STATUSES[other]]}.`
+    }
+    case EVENT.row:
+      return `Row ${row}: ${count(other, 'free cell')} of the graph.`
+    case EVENT.test:
+      return value === 1
+        ? `${name(cell)}, diagonal to obstacle ${name(other)}: it is free and so are both cells between them, so it is a vertex.`
+        : `${name(cell)}, diagonal to obstacle ${name(other)}: not all three cells are free, so it is no corner of this obstacle.`
+    case EVENT.vertex:
+      return `${name(cell)} is a vertex of the roadmap.`
+    case EVENT.edge:
+      return `The simplest path from ${name(cell)} to ${name(other)} is free: an edge of cost ${number(value)}.`
+    case EVENT.cut:
+      return `There are more than ${count(value, 'edge')}: those from ${name(cell)} on are used, but not shown.`
+    case EVENT.refuse:
+      return `The simplest paths between ${name(cell)} and ${name(other)} are refused, the one from ${name(cell)} at ${name(value)}: no edge.`
+    case EVENT.open:
+      return other < 0
+        ? `Start at ${name(cell)} with cost ${number(value)}.`
+        : `${name(cell)} gets a shorter way, over ${name(other)}: cost ${number(value)}.`
+    case EVENT.close:
+      return `${name(cell)} has the least cost of all open ones, ${number(value)}: its shortest path is final.`
+    case EVENT.path:
+      return `The parents lead back from the goal: a path of ${count(frame.path.length, 'cell')}.`
+    case EVENT.attraction:
+      return `Row ${row}: the attraction is the square of the distance to the goal.`
+    case EVENT.repulsion:
+      return `Row ${row}: the closest obstacle repels where it is within influence.`
+    case EVENT.potential:
+      return `Row ${row}: attraction and repulsion added up.`
+    case EVENT.step:
+      return explainStep(name, cell, other, frame)
+    case EVENT.sense:
+      return `The rover senses what is around ${name(frame.rover)}.`
+    case EVENT.scan:
+      return frame.nodes.length === 0
+        ? `No end of an obstacle is in reach of ${name(cell)}.`
+        : `${count(frame.nodes.length, 'node')} in reach of ${name(cell)}.`
+    case EVENT.target: {
+      const best = cell < 0 ? 'A place of the border' : name(cell)
+      return `${best} is the best of them, at ${number(value)}: head for it.`
+    }
+    case EVENT.mLine:
+      return `The m-line: the simplest path from start to goal, ${count(frame.mLine.length, 'cell')}.`
+    case EVENT.hit:
+      return `${other < 0 ? 'The border of the map' : `${name(other)} is an obstacle`}: hit point ${value}, follow the boundary with the obstacle on the ${SIDES[frame.turn]}.`
+    case EVENT.around:
+      return `Round the obstacle once, in ${count(value, 'step')}, and back at ${name(cell)}.`
+    case EVENT.leave:
+      return `Leave point ${value} at ${name(cell)}: away from the boundary.`
+    case EVENT.loop:
+      return `Loop: the same place and the same state as at step ${value}, so the rover goes round for ever.`
+    default:
+      return ''
+  }
+}
+
+function explainStep(name: (cell: Cell) => string, cell: Cell, from: Cell, frame: Frame): string {
+  if (from < 0) return `Start at ${name(cell)}.`
+  if (!frame.following) return `Step to ${name(cell)}: the way is free.`
+  return `Step to ${name(cell)}, keeping ${name(frame.atSide)} on the ${SIDES[frame.turn]}.`
+}
+
+const count = (n: number, what: string): string => `${n} ${what}${n === 1 ? '' : 's'}`
+
+/** At most three decimals, none for whole numbers. */
+function number(value: number): string {
+  return Number.isFinite(value) ? String(Math.round(value * 1000) / 1000) : 'infinite'
+}

@@ -1,0 +1,73 @@
+import { EVENT } from './events'
+import type { TapeColumns } from './tape'
+
+/** Events that tell more of the event before them, so that no step ends between the two. */
+export const ATTACHED: ReadonlySet<number> = new Set([
+  EVENT.turn,
+  EVENT.feel,
+  EVENT.sense,
+  EVENT.value,
+  EVENT.node,
+])
+
+/** Events of which a whole run makes one step: one cell after the other would be tedious. */
+const RUNS: ReadonlySet<number> = new Set([EVENT.mLine, EVENT.path])
+
+/** Fields are written cell by cell and stepped row by row. */
+const FIELDS: ReadonlySet<number> = new Set([EVENT.attraction, EVENT.repulsion, EVENT.potential])
+
+const LANDMARKS: ReadonlySet<number> = new Set([
+  EVENT.phase,
+  EVENT.hit,
+  EVENT.around,
+  EVENT.leave,
+  EVENT.loop,
+  EVENT.end,
+])
+
+/** Whether the event begins a step of its own. */
+function beginsStep({ kinds, cells, width }: TapeColumns, i: number): boolean {
+  const kind = kinds[i]
+  if (ATTACHED.has(kind)) return false
+  if (RUNS.has(kind)) return i === 0 || kinds[i - 1] !== kind
+  return !FIELDS.has(kind) || cells[i] % width === 0
+}
+
+/**
+ * The moments between which the player steps, as numbers of events: 0, then one after each step,
+ * at last the whole tape.
+ */
+export function stepsOf(tape: TapeColumns): Int32Array {
+  const moments = new Int32Array(tape.length + 1)
+  let count = 1
+  for (let i = 1; i < tape.length; i++) if (beginsStep(tape, i)) moments[count++] = i
+  if (tape.length > 0) moments[count++] = tape.length
+  return moments.slice(0, count)
+}
+
+/** Of the moments of `stepsOf` those that a landmark led to: a hit or leave point, a new phase, the end. */
+export function landmarksOf(tape: TapeColumns, steps: Int32Array): Int32Array {
+  return steps.filter((_, i) => i > 0 && LANDMARKS.has(tape.kinds[steps[i - 1]]))
+}
+
+/** The first moment after `time`; the last one if there is none. Moments rise. */
+export function momentAfter(moments: Int32Array, time: number): number {
+  return moments[Math.min(placeAfter(moments, time), moments.length - 1)] ?? 0
+}
+
+/** The last moment before `time`; 0 if there is none. */
+export function momentBefore(moments: Int32Array, time: number): number {
+  return moments[placeAfter(moments, time - 1) - 1] ?? 0
+}
+
+/** How many of the moments are not after `time`. */
+export function placeAfter(moments: Int32Array, time: number): number {
+  let low = 0
+  let high = moments.length
+  while (low < high) {
+    const middle = (low + high) >> 1
+    if (moments[middle] <= time) low = middle + 1
+    else high = middle
+  }
+  return low
+}

@@ -1,0 +1,111 @@
+import type { Problem } from '../grid/problem'
+import { EVENT, STATUSES } from './events'
+import { ATTACHED } from './landmarks'
+import { PosthocDrive } from './posthoc-drive'
+import { PosthocLines } from './posthoc-lines'
+import { PosthocSearch } from './posthoc-search'
+import { posthocPivot, posthocViews } from './posthoc-views'
+import type { TapeColumns } from './tape'
+
+/** What a trace says of the run that made it. */
+export interface PosthocInfo {
+  readonly plannerId: string
+  readonly title: string
+  /** How the planner calls its phases and its variables, which the tape numbers. */
+  readonly phases: readonly string[]
+  readonly variables: readonly string[]
+  readonly problem: Problem
+  /** Name of the map's file that goes with the trace. */
+  readonly mapFile: string
+}
+
+/** A browser holds the whole trace as one text, and so does Posthoc. */
+const MOST_CHARACTERS = 2e8
+
+/**
+ * A tape as a search trace of format 1.4.0 for Posthoc (posthoc.pathfinding.ai): the text of a
+ * `.trace.json` file that opens on top of the MovingAI map of the same problem. One line an event.
+ * @param most characters that its events may have
+ * @throws InputError if the tape is too long for that.
+ */
+export function posthocTrace(
+  tape: TapeColumns,
+  info: PosthocInfo,
+  most: number = MOST_CHARACTERS,
+): string {
+  const lines = new PosthocLines(tape, most)
+  writeEnds(lines, info)
+  writeEvents(lines, tape, info)
+  const events = lines.text()
+  const views = JSON.stringify(posthocViews(lines.types, tape.width, highestPotential(tape)))
+  const pivot = JSON.stringify(posthocPivot)
+  return `{\n"version":"1.4.0",\n"views":${views},\n"pivot":${pivot},\n"events":[\n${events}\n]\n}\n`
+}
+
+function writeEnds(lines: PosthocLines, { problem, plannerId, title, mapFile }: PosthocInfo): void {
+  lines
+    .cell('source', problem.start)
+    .tell('planner', JSON.stringify(plannerId))
+    .tell('title', JSON.stringify(title))
+    .tell('map', JSON.stringify(mapFile))
+    .tell('diagonal', JSON.stringify(problem.diagonal))
+  lines.cell('destination', problem.goal)
+}
+
+function writeEvents(lines: PosthocLines, tape: TapeColumns, info: PosthocInfo): void {
+  const search = new PosthocSearch(lines, tape.width * tape.height)
+  const drive = new PosthocDrive(lines)
+  for (let i = 0; i < tape.length; i++) {
+    const kind = tape.kinds[i]
+    // Told of the event that they belong to.
+    if (kind === EVENT.value || kind === EVENT.turn) continue
+    const cell = tape.cells[i]
+    const other = tape.others[i]
+    const value = tape.values[i]
+    search.before(kind)
+    if (kind === EVENT.phase) {
+      lines.begin('phase', `phase ${other + 1}`, null, -1)
+      lines.tell('name', JSON.stringify(info.phases[other] ?? ''))
+    } else if (kind === EVENT.end) {
+      if (drive.hasBegun) drive.end()
+      else search.end(cell)
+      lines.tell('status', JSON.stringify(STATUSES[other]))
+    } else {
+      search.write(kind, cell, other, value)
+      drive.write(kind, cell, other, value)
+    }
+    // Lines of the pseudocode, counted from 1 as they are shown.
+    lines.tellNumber('line', tape.lines[i] + 1)
+    if (!ATTACHED.has(kind)) tellAttached(lines, tape, i, info.variables)
+  }
+}
+
+/** Tells what follows event `i` without being an event of its own: a side, numbers decided by. */
+function tellAttached(
+  lines: PosthocLines,
+  { kinds, others, values, length }: TapeColumns,
+  i: number,
+  variables: readonly string[],
+): void {
+  let side = -1
+  const numbers: number[] = []
+  for (let j = i + 1; j < length && ATTACHED.has(kinds[j]); j++) {
+    if (kinds[j] === EVENT.turn) side = others[j]
+    if (kinds[j] === EVENT.value) numbers[others[j]] = values[j]
+  }
+  if (side >= 0) lines.tell('obstacleOn', side === 0 ? '"left"' : '"right"')
+  numbers.forEach((number, variable) => {
+    lines.tellNumber(variables[variable] ?? `variable ${variable + 1}`, number)
+  })
+}
+
+/** At least 1, so that it can be divided by. */
+function highestPotential({ kinds, values, length }: TapeColumns): number {
+  let highest = 1
+  for (let i = 0; i < length; i++) {
+    if (kinds[i] === EVENT.potential && Number.isFinite(values[i])) {
+      highest = Math.max(highest, values[i])
+    }
+  }
+  return highest
+}

@@ -1,0 +1,163 @@
+import { describe, expect, it } from 'vitest'
+import { planners } from '../../src/algorithms/planners'
+import { cellFactsInWords } from '../../src/app/cell-line'
+import { codeSection } from '../../src/app/code-section'
+import { loopBegan } from '../../src/app/loop'
+import { type Moment, Moments } from '../../src/app/moment'
+import { numberInWords } from '../../src/app/numbers'
+import { scoreOf } from '../../src/app/score'
+import { plannerOf, valuesOf } from '../../src/app/setup'
+import { stepNumbers } from '../../src/app/step-numbers'
+import { landmarkInWords, stepInWords } from '../../src/app/steps-in-words'
+import { planArrived } from '../../src/app/transitions'
+import { toNextLandmark, toStep } from '../../src/app/transport'
+import { planned, setupFrom, stateFrom } from './setups'
+
+const MAP = ['S....', '.###.', '...#.', '.###.', '....G'].join('\n')
+/** In which Bug2 as in the report goes round for ever. */
+const SPIRAL = [
+  '..S......',
+  '.#######.',
+  '.......#.',
+  '.#####.#.',
+  '.#..G#.#.',
+  '.#.###.#.',
+  '.#.....#.',
+  '.#######.',
+  '.........',
+].join('\n')
+
+function stateOf(plannerId: string, text = MAP) {
+  const setup = setupFrom(text, plannerId)
+  const state = { ...stateFrom(text), setup, committed: setup }
+  return planArrived(state, planned(setup))
+}
+
+function momentAt(state: ReturnType<typeof stateOf>): Moment {
+  const moment = new Moments().of(state)
+  if (!moment) throw new Error('There is no plan.')
+  return moment
+}
+
+describe('the section of the pseudocode', () => {
+  it.each(planners.map(({ id }) => id))('has the line of every event of %s', (id) => {
+    for (const variant of ['report', 'classic']) {
+      const setup = { ...setupFrom(MAP, id) }
+      const hasVariants = plannerOf(setup).params.some(({ name }) => name === 'variant')
+      const chosen = hasVariants ? { ...setup, params: { [id]: { variant } } } : setup
+      const lines = codeSection(plannerOf(chosen), valuesOf(chosen)).map(({ line }) => line)
+      for (const line of planned(chosen).tape.lines.subarray(0, planned(chosen).tape.length)) {
+        expect(lines).toContain(line)
+      }
+    }
+  })
+
+  it('is that of the chosen variant, and what both have in common', () => {
+    const planner = planners.find(({ id }) => id === 'tangent-bug')
+    if (!planner) throw new Error('There is no Tangent Bug.')
+    const texts = (variant: string) => codeSection(planner, { variant }).map(({ text }) => text)
+    for (const variant of ['report', 'classic']) {
+      const shown = texts(variant)
+      expect(shown[0]).toBe(planner.pseudocode[0])
+      expect(shown.at(-1)).toBe(planner.pseudocode.at(-1))
+      expect(shown.filter((text) => /^variant/.test(text))).toEqual([
+        expect.stringContaining(variant),
+      ])
+    }
+    const both = new Set([...texts('report'), ...texts('classic')])
+    expect(both).toEqual(new Set(planner.pseudocode))
+  })
+})
+
+describe('the words of a step', () => {
+  it('begin before the first step and end with the reason of the outcome', () => {
+    const state = stateOf('bug2')
+    expect(stepInWords(momentAt(toStep(state, 0)))).toBe('Before the first step.')
+    const end = stepInWords(momentAt(state))
+    expect(end).toBe('The end at (4, 4): the goal is reached. The rover is at the goal.')
+  })
+
+  it('are those of the latest landmark when it goes too fast to read', () => {
+    const state = toNextLandmark(toStep(stateOf('bug2'), 0))
+    const hit = stepInWords(momentAt(state))
+    expect(hit).toMatch(/hit point 1/)
+    const { steps } = scoreOf(momentAt(state).shown.tape)
+    const later = momentAt(toStep(state, steps.indexOf(state.time) + 2))
+    expect(landmarkInWords(later)).toBe(hit)
+    expect(stepInWords(later)).not.toBe(hit)
+    expect(landmarkInWords(momentAt(toStep(state, 1)))).toBe('Bug2 begins.')
+  })
+
+  it('tell of a step that is not over yet', () => {
+    const state = { ...stateOf('bug2'), time: 2 }
+    expect(stepInWords(momentAt(state))).not.toBe('')
+  })
+})
+
+describe('the numbers of a step', () => {
+  it.each(planners.map(({ id }) => id))('of %s stay in their places', (id) => {
+    const state = stateOf(id)
+    const { steps } = scoreOf(momentAt(state).shown.tape)
+    const labels = stepNumbers(momentAt(state)).map(({ label }) => label)
+    expect(labels.length).toBeGreaterThan(1)
+    expect(new Set(labels).size).toBe(labels.length)
+    for (let step = 0; step < steps.length; step += 3) {
+      const rows = stepNumbers(momentAt(toStep(state, step)))
+      expect(rows.map(({ label }) => label)).toEqual(labels)
+      expect(rows.map(({ value }) => value).join()).not.toMatch(/undefined|NaN/)
+    }
+  })
+
+  it('are those of the frame', () => {
+    const rows = Object.fromEntries(
+      stepNumbers(momentAt(stateOf('decomposition'))).map(({ label, value }) => [label, value]),
+    )
+    expect(rows).toMatchObject({ Phase: 'Path', Cost: '7' })
+  })
+
+  it('are short', () => {
+    const words = [3, -1.5, Math.SQRT2, 12345.678, Number.POSITIVE_INFINITY].map(numberInWords)
+    expect(words).toEqual(['3', '-1.5', '1.41', '12,345.68', '∞'])
+  })
+})
+
+describe('a loop', () => {
+  const state = stateOf('bug2', SPIRAL)
+  const moment = momentAt(state)
+
+  it('is told at the end and one step before it, and nowhere else', () => {
+    expect(moment.shown.outcome.status).toBe('loop')
+    const last = scoreOf(moment.shown.tape).steps.length - 1
+    const began = Array.from({ length: last + 1 }, (_, step) =>
+      loopBegan(momentAt(toStep(state, step))),
+    )
+    expect(began.slice(0, -2).every((step) => step === null)).toBe(true)
+    expect(began.at(-1)).not.toBeNull()
+    expect(began.at(-2)).toBe(began.at(-1))
+  })
+
+  it('began where the rover stood at the same place', () => {
+    const before = momentAt(toStep(state, loopBegan(moment) ?? -1))
+    expect(before.frame.rover).toBe(moment.frame.rover)
+    expect(moment.shown.outcome.reason).toContain(`step ${before.frame.trail.length - 1}`)
+  })
+})
+
+describe('what is known of a cell, in words', () => {
+  it('is empty where nothing is known', () => {
+    const first = momentAt(toStep(stateOf('decomposition'), 0))
+    expect(cellFactsInWords(first, stateOf('decomposition').setup.problem, 3)).toBe('')
+  })
+
+  it('is one sentence', () => {
+    const words = (id: string, cell: number) => {
+      const state = stateOf(id)
+      return cellFactsInWords(momentAt(state), state.setup.problem, cell)
+    }
+    expect(words('decomposition', 1)).toBe(
+      'Cell 1 of the path; vertex; closed, cost 1 by way of (0, 0).',
+    )
+    expect(words('potential-field', 24)).toMatch(/^Attraction 0; repulsion 0; potential 0/)
+    expect(words('bug2', 0)).toMatch(/^Hit point 1; cell 0 of the m-line; stood on after step 0;/)
+  })
+})

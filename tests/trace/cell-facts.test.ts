@@ -1,0 +1,107 @@
+import { describe, expect, it } from 'vitest'
+import { plan } from '../../src/algorithms/plan'
+import { planners } from '../../src/algorithms/planners'
+import { problemFromText } from '../../src/grid/text-map'
+import { type CellFacts, cellFacts } from '../../src/trace/cell-facts'
+import { EVENT_NAMES } from '../../src/trace/events'
+import { frameAt, KNOWN, SEARCH } from '../../src/trace/frame'
+import { Tape } from '../../src/trace/tape'
+
+const problem = problemFromText(
+  [
+    'S....#....',
+    '..##.#.##.',
+    '..#..#..#.',
+    '.##.##..#.',
+    '....#...#G',
+    '..#...#.#.',
+    '..#...#...',
+  ].join('\n'),
+)
+const cells = problem.grid.walls.length
+
+function tapeOf(plannerId: string): Tape {
+  const tape = new Tape()
+  plan(problem, plannerId, { tape })
+  return tape
+}
+
+/** The first `time` events as words, so that the facts can be read off once more, another way. */
+function eventsOf(tape: Tape, time: number) {
+  return Array.from({ length: time }, (_, i) => ({
+    kind: EVENT_NAMES[tape.kinds[i]],
+    cell: tape.cells[i],
+    other: tape.others[i],
+    value: tape.values[i],
+  }))
+}
+
+function naiveFacts(tape: Tape, time: number, cell: number): CellFacts {
+  const events = eventsOf(tape, time)
+  const here = events.filter((event) => event.cell === cell)
+  const ofKind = (...kinds: string[]) => here.filter(({ kind }) => kinds.includes(kind))
+  const last = (...kinds: string[]) => ofKind(...kinds).at(-1)
+  const places = (kind: string) =>
+    events.filter((event) => event.kind === kind).flatMap((e, i) => (e.cell === cell ? [i] : []))
+  const sensedAt = events.findIndex((event) => event.kind === 'sense' && event.cell === cell)
+  const walkedBy = events.slice(0, sensedAt).filter(({ kind }) => kind === 'step').length - 1
+  const nodesSince = events.findLastIndex(({ kind }) => ['scan', 'hit', 'leave'].includes(kind))
+  const nodes = events.slice(nodesSince + 1).filter((e) => e.kind === 'node' && e.cell === cell)
+  const row = Math.floor(cell / tape.width)
+  const search = last('open', 'close')
+  return {
+    isVertex:
+      ofKind('vertex').length > 0 ||
+      events.some((e) => e.kind === 'row' && Math.floor(e.cell / tape.width) === row),
+    edges: events.filter((e) => e.kind === 'edge' && [e.cell, e.other].includes(cell)).length,
+    search: search ? (search.kind === 'open' ? 'open' : 'closed') : null,
+    cost: search?.value ?? null,
+    parent: last('open')?.other ?? null,
+    attraction: last('attraction')?.value ?? null,
+    repulsion: last('repulsion')?.value ?? null,
+    potential: last('potential')?.value ?? null,
+    sensed: sensedAt < 0 ? null : { isObstacle: events[sensedAt].other === 1, walked: walkedBy },
+    isFelt: ofKind('feel').length > 0,
+    visits: places('step'),
+    onMLine: places('mLine').at(-1) ?? null,
+    onPath: places('path').at(-1) ?? null,
+    hits: ofKind('hit').map(({ value }) => value),
+    leaves: ofKind('leave').map(({ value }) => value),
+    node: nodes.at(-1)?.value ?? null,
+  }
+}
+
+describe('what a planner knows of a cell', () => {
+  it.each(planners.map(({ id }) => id))('is what the tape of %s tells of it', (id) => {
+    const tape = tapeOf(id)
+    const stride = Math.max(1, Math.floor(tape.length / 9))
+    for (let time = 0; time <= tape.length; time += stride) {
+      for (let cell = 0; cell < cells; cell++) {
+        expect(cellFacts(tape, time, cell)).toEqual(naiveFacts(tape, time, cell))
+      }
+    }
+  })
+
+  it.each(planners.map(({ id }) => id))('agrees with the picture of %s', (id) => {
+    const tape = tapeOf(id)
+    for (const time of [0, Math.floor(tape.length / 2), tape.length]) {
+      const frame = frameAt(tape, time)
+      for (let cell = 0; cell < cells; cell++) {
+        const facts = cellFacts(tape, time, cell)
+        const search = { open: SEARCH.open, closed: SEARCH.closed, none: SEARCH.untouched }
+        expect(frame.search[cell]).toBe(search[facts.search ?? 'none'])
+        const known = facts.sensed?.isObstacle ? KNOWN.obstacle : KNOWN.free
+        expect(frame.known[cell]).toBe(facts.sensed ? known : KNOWN.unknown)
+        expect(frame.hits.filter((hit) => hit === cell).length).toBe(facts.hits.length)
+        expect(frame.trail.filter((place) => place === cell).length).toBe(facts.visits.length)
+        expect(frame.path.indexOf(cell)).toBe(facts.onPath ?? -1)
+        expect(frame.nodes.includes(cell)).toBe(facts.node !== null)
+      }
+    }
+  })
+
+  it('is the same for any time after the end', () => {
+    const tape = tapeOf('bug2')
+    expect(cellFacts(tape, Number.POSITIVE_INFINITY, 0)).toEqual(cellFacts(tape, tape.length, 0))
+  })
+})
