@@ -5,7 +5,7 @@ import type { ParamValue } from '../src/index'
 /** Picks an entry of the map menu, as "New…" or "Save". */
 export async function chooseFromMapMenu(page: Page, entry: string): Promise<void> {
   await page.getByRole('button', { name: 'Map', exact: true }).click()
-  await page.getByRole('menuitem', { name: entry }).click()
+  await page.getByRole('menuitem', { name: entry, exact: true }).click()
 }
 
 /** Opens a file by the page's own file dialog. */
