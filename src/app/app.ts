@@ -1,5 +1,4 @@
 import { announcer } from './announcer'
-import { endWelcome } from './arrival'
 import { aboutDialog } from './dialogs/about-planner'
 import { dialog } from './dialogs/dialog'
 import { generateDialog } from './dialogs/generate'
@@ -76,7 +75,6 @@ function welcomes(store: Store<State>, isFirstVisit: boolean): (shown: Shown) =>
   const stillness = window.matchMedia('(prefers-reduced-motion: reduce)')
   let isShowcase = isFirstVisit
   const endShowcase = () => {
-    if (isShowcase) store.update(endWelcome)
     isShowcase = false
   }
   window.addEventListener('pointerdown', endShowcase, { once: true })

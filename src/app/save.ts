@@ -1,4 +1,7 @@
+import { movingAiMap } from '../grid/formats/movingai'
+import { saveProject } from '../grid/formats/project-file'
 import type { Grid } from '../grid/grid'
+import type { Problem } from '../grid/problem'
 import type { Scene } from '../render/scene'
 import { plannerOf } from './setup'
 import { type State, visiblePlan } from './state'
@@ -14,17 +17,15 @@ interface Saved {
 /** The map's name without an ending, the same for all files that belong together. */
 const nameOf = ({ width, height }: Grid): string => `path-planner-${width}x${height}`
 
-async function projectFile({ setup }: State): Promise<Saved[]> {
-  const { saveProject } = await import('../grid/formats/project-file')
-  const { problem } = setup
-  return [{ name: `${nameOf(problem.grid)}.json`, content: saveProject(problem) }]
-}
+const projectFile = ({ setup: { problem } }: State): Saved => ({
+  name: `${nameOf(problem.grid)}.json`,
+  content: saveProject(problem),
+})
 
-async function mapFile({ setup }: State): Promise<Saved> {
-  const { movingAiMap } = await import('../grid/formats/movingai')
-  const { grid } = setup.problem
-  return { name: `${nameOf(grid)}.map`, content: movingAiMap(grid) }
-}
+const mapFile = ({ grid }: Problem): Saved => ({
+  name: `${nameOf(grid)}.map`,
+  content: movingAiMap(grid),
+})
 
 /** The trace of the plan on screen, and the map that it opens upon. */
 async function traceFiles(state: State): Promise<Saved[]> {
@@ -33,8 +34,8 @@ async function traceFiles(state: State): Promise<Saved[]> {
   const { posthocTrace } = await import('../trace/posthoc')
   const { setup, tape } = shown
   const { id, title, phases, variables } = plannerOf(setup)
-  const map = await mapFile({ ...state, setup })
   const { problem } = setup
+  const map = mapFile(problem)
   const info = { plannerId: id, title, phases, variables, problem, mapFile: map.name }
   const name = `${nameOf(problem.grid)}-${id}.trace.json`
   return [{ name, content: posthocTrace(tape, info) }, map]
@@ -64,8 +65,8 @@ export function savers(store: Store<State>, sceneNow: () => Scene) {
     )
   }
   return {
-    save: save(projectFile),
-    'save-map': save(async (state) => [await mapFile(state)]),
+    save: save(async (state) => [projectFile(state)]),
+    'save-map': save(async (state) => [mapFile(state.setup.problem)]),
     'save-trace': save(traceFiles),
     'save-png': save(async (state) => [await pictureFile(state, sceneNow(), 'png')]),
     'save-svg': save(async (state) => [await pictureFile(state, sceneNow(), 'svg')]),

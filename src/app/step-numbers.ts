@@ -30,7 +30,7 @@ export function stepNumbers({ shown, frame }: Moment): Row[] {
     const value = frame.values[i]
     const label = `${name.charAt(0).toUpperCase()}${name.slice(1)}`
     // A variable's own name, such as d_reach, stays as the pseudocode writes it.
-    row(name.includes('_') ? name : label, value === undefined ? YET_UNKNOWN : numberInWords(value))
+    row(name.includes('_') ? name : label, value === undefined ? YET_UNKNOWN : valueInWords(value))
   })
   if (last.rows > 0) row('Rows of the graph', count(frame.rows))
   if (last.vertices.length > 0) {
@@ -44,3 +44,6 @@ export function stepNumbers({ shown, frame }: Moment): Row[] {
   }
   return rows
 }
+
+/** Distances, potentials and places in a list are never negative: -1 stands for none. */
+const valueInWords = (value: number): string => (value < 0 ? 'none' : numberInWords(value))

@@ -96,6 +96,9 @@ export function explain(
 function explainStep(name: (cell: Cell) => string, cell: Cell, from: Cell, frame: Frame): string {
   if (from < 0) return `Start at ${name(cell)}.`
   if (!frame.following) return `Step to ${name(cell)}: the way is free.`
+  // Only Bug1 heads for a place while it is at the boundary: back to the nearest one.
+  if (frame.target >= 0)
+    return `Step to ${name(cell)}, along the boundary to ${name(frame.target)}.`
   return `Step to ${name(cell)}, keeping ${name(frame.atSide)} on the ${SIDES[frame.turn]}.`
 }
 

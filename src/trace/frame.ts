@@ -107,6 +107,32 @@ export function firstFrame({ width, height }: TapeColumns): Frame {
   }
 }
 
+/** A frame of its own that shows the same. */
+export function copyOf(frame: Frame): Frame {
+  const { attraction, repulsion, potential } = frame.fields
+  const fields = {
+    attraction: attraction?.slice() ?? null,
+    repulsion: repulsion?.slice() ?? null,
+    potential: potential?.slice() ?? null,
+  }
+  return {
+    ...frame,
+    search: frame.search.slice(),
+    known: frame.known.slice(),
+    felt: frame.felt.slice(),
+    fields,
+    vertices: frame.vertices.slice(),
+    edges: frame.edges.slice(),
+    mLine: frame.mLine.slice(),
+    hits: frame.hits.slice(),
+    leaves: frame.leaves.slice(),
+    trail: frame.trail.slice(),
+    path: frame.path.slice(),
+    nodes: frame.nodes.slice(),
+    values: frame.values.slice(),
+  }
+}
+
 /** Folds the events from `frame.time` up to `time` into the frame. */
 export function advance(frame: Frame, tape: TapeColumns, time: number): void {
   const end = Math.min(time, tape.length)

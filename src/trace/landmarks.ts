@@ -25,12 +25,21 @@ const LANDMARKS: ReadonlySet<number> = new Set([
   EVENT.end,
 ])
 
+const marks = (kinds: ReadonlySet<number>): Uint8Array =>
+  Uint8Array.from({ length: 256 }, (_, kind) => (kinds.has(kind) ? 1 : 0))
+
+/** The same by kind: tapes are long, and looking up a set takes longer than all else here. */
+const isAttached = marks(ATTACHED)
+const isRun = marks(RUNS)
+const isField = marks(FIELDS)
+const isLandmark = marks(LANDMARKS)
+
 /** Whether the event begins a step of its own. */
 function beginsStep({ kinds, cells, width }: TapeColumns, i: number): boolean {
   const kind = kinds[i]
-  if (ATTACHED.has(kind)) return false
-  if (RUNS.has(kind)) return i === 0 || kinds[i - 1] !== kind
-  return !FIELDS.has(kind) || cells[i] % width === 0
+  if (isAttached[kind]) return false
+  if (isRun[kind]) return i === 0 || kinds[i - 1] !== kind
+  return !isField[kind] || cells[i] % width === 0
 }
 
 /**
@@ -47,7 +56,7 @@ export function stepsOf(tape: TapeColumns): Int32Array {
 
 /** Of the moments of `stepsOf` those that a landmark led to: a hit or leave point, a new phase, the end. */
 export function landmarksOf(tape: TapeColumns, steps: Int32Array): Int32Array {
-  return steps.filter((_, i) => i > 0 && LANDMARKS.has(tape.kinds[steps[i - 1]]))
+  return steps.filter((_, i) => i > 0 && isLandmark[tape.kinds[steps[i - 1]]])
 }
 
 /** The first moment after `time`; the last one if there is none. Moments rise. */

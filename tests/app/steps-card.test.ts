@@ -115,6 +115,19 @@ describe('the numbers of a step', () => {
     expect(rows).toMatchObject({ Phase: 'Path', Cost: '7' })
   })
 
+  it('say "none" where the rover is not on the m-line', () => {
+    const state = toNextLandmark(toStep(stateOf('bug2'), 0))
+    const values = (time: number) => {
+      const rows = stepNumbers(momentAt({ ...state, time }))
+      return rows.find(({ label }) => label === 'Cell of the m-line')?.value
+    }
+    const { steps } = scoreOf(momentAt(state).shown.tape)
+    const seen = new Set(Array.from(steps, values))
+    expect(seen).toContain('none')
+    expect(seen).toContain('4')
+    expect(seen).not.toContain('-1')
+  })
+
   it('are short', () => {
     const words = [3, -1.5, Math.SQRT2, 12345.678, Number.POSITIVE_INFINITY].map(numberInWords)
     expect(words).toEqual(['3', '-1.5', '1.41', '12,345.68', '∞'])

@@ -99,9 +99,9 @@ describe('a player', () => {
   test('shows the same frame however it came there, forwards and backwards', () => {
     const moves = fc.array(fc.integer({ min: -5, max: 70 }), { minLength: 1, maxLength: 12 })
     fc.assert(
-      fc.property(events, moves, (list, times) => {
+      fc.property(events, moves, fc.integer({ min: 1, max: 80 }), (list, times, reach) => {
         const tape = tapeOf(list)
-        const player = new Player(tape)
+        const player = new Player(tape, reach)
         expect(player.frame).toEqual(picture([]))
         for (const time of times) {
           const clamped = Math.max(0, Math.min(time, list.length))
@@ -109,6 +109,7 @@ describe('a player', () => {
           expect(player.frame).toEqual(frameAt(tape, clamped))
         }
       }),
+      { numRuns: 500 },
     )
   })
 

@@ -27,6 +27,8 @@ export function bindInput(
   const hand = new Hand(store)
   const bound = new AbortController()
   const { signal } = bound
+  let pressed = false
+  let windowAway = false
   host.tabIndex = 0
 
   const on = <Type extends keyof HTMLElementEventMap>(
@@ -40,7 +42,9 @@ export function bindInput(
     if (button === undefined || document.querySelector(':popover-open')) return
     // Without this the middle button scrolls and a press selects text.
     event.preventDefault()
+    pressed = true
     host.focus({ preventScroll: true })
+    pressed = false
     host.setPointerCapture(event.pointerId)
     const isTouch = event.pointerType === 'touch'
     store.update((state) => hover(state, -1))
@@ -80,8 +84,11 @@ export function bindInput(
     store.update(transition)
   })
   on('focus', () => {
-    // With a pointer the cell is under it; only the keyboard needs a cursor.
-    if (host.matches(':focus-visible') && !hand.isBusy) {
+    // With a pointer the cell is under it; only the keyboard needs a cursor. A window that comes
+    // back gives the focus back to where it was, however that came.
+    const byPointer = pressed || windowAway
+    windowAway = false
+    if (host.matches(':focus-visible') || !byPointer) {
       store.update((state) => moveCursor(state, state.cursor))
     }
   })
@@ -133,7 +140,14 @@ export function bindInput(
     },
     { signal },
   )
-  window.addEventListener('blur', letGoOfSpace, { signal })
+  window.addEventListener(
+    'blur',
+    () => {
+      letGoOfSpace()
+      windowAway = document.activeElement === host
+    },
+    { signal },
+  )
 
   return () => bound.abort()
 }
