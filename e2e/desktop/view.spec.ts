@@ -109,6 +109,7 @@ test('the toolbar zooms and shows the whole map again', async ({ map, page }) =>
 })
 
 test('a window of another size shows the same map, whole', async ({ map, page }) => {
+  await expect(map.element).toHaveAttribute('data-status', 'reached')
   const cells = String(await map.element.getAttribute('data-cells'))
   const before = await map.view()
   await page.setViewportSize({ width: 900, height: 620 })
