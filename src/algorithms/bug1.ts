@@ -73,6 +73,7 @@ export const bug1 = onlinePlanner({
       for (const direction of shorterWay(walk.taken, firstMet, lastMet)) {
         rover.step(direction)
         rover.sense()
+        notes.value(HERE, distance(rover.position, goal))
       }
       notes.at(line.leave).leave()
     }

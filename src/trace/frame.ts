@@ -206,6 +206,8 @@ function fold(frame: Frame, tape: TapeColumns, i: number): void {
       break
     case EVENT.target:
       frame.target = cell
+      // Who heads for a place goes straight there, or back along a boundary.
+      frame.atSide = -1
       break
     case EVENT.mLine:
       frame.mLine.push(cell)

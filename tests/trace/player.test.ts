@@ -78,7 +78,10 @@ function picture(list: readonly Event[]): Frame {
       since(EVENT.hit, EVENT.leave).filter((e) => e.kind === EVENT.target),
       'cell',
     ),
-    atSide: last(all(EVENT.feel), 'cell'),
+    atSide: last(
+      since(EVENT.target).filter((e) => e.kind === EVENT.feel),
+      'cell',
+    ),
     following: lastOf(EVENT.hit, EVENT.leave)?.kind === EVENT.hit,
     turn: lastOf(EVENT.turn)?.other ?? 0,
     values,
