@@ -1,5 +1,5 @@
 import { expect, type Locator, type Page } from '@playwright/test'
-import { colourOfPixel } from './pixel'
+import { coloursOf } from './pixel'
 
 /** Column and row of a cell; fractions lie beside its centre: (3.3, 2) is to the right of it. */
 export type Place = readonly [x: number, y: number]
@@ -39,7 +39,16 @@ export class MapOnScreen {
   async colourAt(...place: Place): Promise<string> {
     const { x, y } = await this.cell(...place)
     const clip = { x: Math.floor(x), y: Math.floor(y), width: 1, height: 1 }
-    return colourOfPixel(await this.#page.screenshot({ clip, scale: 'css' }))
+    return coloursOf(await this.#page.screenshot({ clip, scale: 'css' }))[0]
+  }
+
+  /** All colours within a cell, without its edges. */
+  async coloursIn(...[x, y]: Place): Promise<Set<string>> {
+    const { scale } = await this.view()
+    const corner = await this.cell(x - 0.35, y - 0.35)
+    const side = Math.floor(0.7 * scale)
+    const clip = { x: Math.ceil(corner.x), y: Math.ceil(corner.y), width: side, height: side }
+    return new Set(coloursOf(await this.#page.screenshot({ clip, scale: 'css' })))
   }
 
   /** Waits until a cell has a colour. */

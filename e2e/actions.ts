@@ -1,0 +1,104 @@
+import { readFile } from 'node:fs/promises'
+import { expect, type Locator, type Page } from '@playwright/test'
+import type { ParamValue } from '../src/index'
+
+/** Picks an entry of the map menu, as "New…" or "Save". */
+export async function chooseFromMapMenu(page: Page, entry: string): Promise<void> {
+  await page.getByRole('button', { name: 'Map', exact: true }).click()
+  await page.getByRole('menuitem', { name: entry, exact: true }).click()
+}
+
+/** Opens a file by the page's own file dialog. */
+export async function openFile(page: Page, name: string, text: string): Promise<void> {
+  const asked = page.waitForEvent('filechooser')
+  await chooseFromMapMenu(page, 'Open…')
+  const chooser = await asked
+  await chooser.setFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(text) })
+}
+
+/** Opens a text map; afterwards it is on screen, solved by whatever planner is chosen. */
+export async function openMap(page: Page, rows: string): Promise<void> {
+  await openFile(page, 'map.txt', rows)
+  await expect(page.getByText(/^Opened map\.txt/).first()).toBeVisible()
+  await expectSettled(page)
+}
+
+/** Saves the map; returns the name and the text of the file. */
+export async function saveMap(page: Page): Promise<{ name: string; text: string }> {
+  const downloading = page.waitForEvent('download')
+  await chooseFromMapMenu(page, 'Save')
+  const download = await downloading
+  return { name: download.suggestedFilename(), text: await readFile(await download.path(), 'utf8') }
+}
+
+/** The rows of the map as a saved file has them: `#` obstacle, `.` free. */
+export async function drawnRows(page: Page): Promise<string[]> {
+  const { rows } = JSON.parse((await saveMap(page)).text)
+  return rows
+}
+
+/** Lets go of a file over the map. */
+export async function dropFile(page: Page, name: string, text: string): Promise<void> {
+  const dataTransfer = await page.evaluateHandle(
+    ([fileName, content]) => {
+      const transfer = new DataTransfer()
+      transfer.items.add(new File([content], fileName))
+      return transfer
+    },
+    [name, text] as const,
+  )
+  const map = page.getByRole('application')
+  await map.dispatchEvent('dragover', { dataTransfer })
+  await expect(page.getByText('Drop the file to open it')).toBeVisible()
+  await map.dispatchEvent('drop', { dataTransfer })
+  await expect(page.getByText('Drop the file to open it')).toBeHidden()
+}
+
+export const plannerSelect = (page: Page): Locator =>
+  page.getByRole('combobox', { name: 'Planner', exact: true })
+
+/** Chooses a planner; on a phone its card is opened for that and folded again. */
+export async function choosePlanner(page: Page, title: string): Promise<void> {
+  const fold = page.getByRole('button', { name: 'Fold the planner card' })
+  const wasFolded = (await fold.getAttribute('aria-expanded')) === 'false'
+  if (wasFolded) await fold.click()
+  await plannerSelect(page).selectOption({ label: title })
+  if (wasFolded) await fold.click()
+}
+
+/** The control of a parameter, found by its label, whatever unit stands behind that. */
+export function paramControl(page: Page, label: string): Locator {
+  return page.getByRole('region', { name: 'Planner' }).getByLabel(label)
+}
+
+export async function setParam(page: Page, label: string, value: ParamValue): Promise<void> {
+  const control = paramControl(page, label)
+  if (typeof value === 'number') return control.fill(String(value))
+  if (typeof value === 'string') {
+    await control.selectOption(value)
+    return
+  }
+  // The box itself lies under the switch that is drawn for it.
+  if ((await control.isChecked()) !== value) await control.press('Space')
+  await expect(control).toBeChecked({ checked: value })
+}
+
+/** Waits until the plan on screen is that of what is on screen. */
+export async function expectSettled(page: Page): Promise<void> {
+  const settled = /^(reached|unreachable|not-found|local-minimum|dead-end|loop)$/
+  await expect(page.getByRole('application')).toHaveAttribute('data-status', settled)
+}
+
+/** Waits until the result card says this as its headline. */
+export async function expectResult(page: Page, words: string | RegExp): Promise<void> {
+  await expect(page.getByRole('heading', { level: 2, name: words, exact: true })).toBeVisible()
+}
+
+/** A number of the result card, as "Turns" or "Expanded". */
+export const resultNumber = (page: Page, label: string): Locator =>
+  page.getByRole('row', { name: label }).getByRole('cell')
+
+/** Waits until these words were said to those who listen. */
+export async function expectSaid(page: Page, words: string | RegExp): Promise<void> {
+  await expect(page.getByRole('status')).toHaveText(words)
+}
