@@ -1,0 +1,84 @@
+import type { Page } from '@playwright/test'
+import { expectAccessible } from '../accessibility'
+import { expect, test } from '../fixtures'
+import type { MapOnScreen } from '../map-on-screen'
+import { drawn, expectStep, openScenario, press, reasons, scrubber, stepsInAll } from '../steps'
+
+const SCENARIOS = [
+  'Fig. 5: Around two obstacles',
+  'Fig. 12: The spiral, Bug2',
+  'Fig. 14: A slanting wall, Tangent Bug',
+  'Path Planner in letters',
+]
+const FOLDS = ['planner card', 'result card', 'card of steps']
+
+/** What of the map lies under which card or bar; empty if all of it can be seen. */
+async function hiddenParts(page: Page, map: MapOnScreen): Promise<string[]> {
+  const { left, top, scale, width, height } = await map.view()
+  const [right, bottom] = [left + width * scale, top + height * scale]
+  const covers = await page.getByRole('main').evaluate((main) =>
+    Array.from(main.querySelectorAll('section, #hint'), (cover) => {
+      const { left, top, right, bottom } = cover.getBoundingClientRect()
+      const name = cover.getAttribute('aria-label') ?? cover.id
+      return { name, left, top, right, bottom, isThere: right > left && bottom > top }
+    }),
+  )
+  expect(covers.filter(({ isThere }) => isThere).length).toBeGreaterThanOrEqual(5)
+  const hidden = covers.flatMap((cover) => {
+    const across = Math.min(right, cover.right) - Math.max(left, cover.left)
+    const down = Math.min(bottom, cover.bottom) - Math.max(top, cover.top)
+    const isOver = cover.isThere && across > 0.5 && down > 0.5
+    return isOver ? [`${Math.round(across)} × ${Math.round(down)} under "${cover.name}"`] : []
+  })
+  const screen = await page.evaluate(() => ({ width: innerWidth, height: innerHeight }))
+  const isInside = left >= 0 && top >= 0 && right <= screen.width && bottom <= screen.height
+  return isInside ? hidden : [...hidden, 'beside the screen']
+}
+
+const fold = (page: Page, card: string) => page.getByRole('button', { name: `Fold the ${card}` })
+
+test('the map lies clear of all that explains it, at every landmark', async ({ map, page }) => {
+  await expect.poll(() => hiddenParts(page, map)).toEqual([])
+  for (const scenario of SCENARIOS) {
+    await openScenario(page, scenario)
+    await expect.poll(() => hiddenParts(page, map), scenario).toEqual([])
+    const steps = await stepsInAll(page)
+    await press(page, 'Home')
+    for (let landmark = 1; landmark < 8; landmark++) {
+      await press(page, 'Shift+ArrowRight')
+      await drawn(page)
+      const step = await scrubber(page).inputValue()
+      expect(await hiddenParts(page, map), `${scenario}: step ${step}`).toEqual([])
+      if (Number(step) === steps) break
+    }
+    await expectStep(page, steps, steps)
+  }
+})
+
+test('whatever card is open, the map moves out of its way', async ({ map, page }) => {
+  await openScenario(page, 'Fig. 12: The spiral, Bug2')
+  for (const card of FOLDS) {
+    const before = await fold(page, card).getAttribute('aria-expanded')
+    await fold(page, card).click()
+    await expect(fold(page, card)).toHaveAttribute('aria-expanded', String(before === 'false'))
+    await expect.poll(() => hiddenParts(page, map), card).toEqual([])
+    const { scale } = await map.view()
+    expect(scale, 'cells that can still be told apart').toBeGreaterThan(8)
+  }
+  await fold(page, FOLDS[0]).click()
+  await expect.poll(() => hiddenParts(page, map)).toEqual([])
+})
+
+test('axe finds nothing in the steps, whichever card is open', async ({ page }) => {
+  await openScenario(page, 'Fig. 12: The spiral, Bug2')
+  await press(page, 'ArrowLeft')
+  await page.getByRole('application').focus()
+  await press(page, 'ArrowDown', 2)
+  for (const card of FOLDS) {
+    const isOpen = (await fold(page, card).getAttribute('aria-expanded')) === 'true'
+    if (!isOpen) await fold(page, card).click()
+    if (!isOpen || card === 'card of steps') await expectAccessible(page)
+  }
+  await expect(reasons(page).getByRole('button', { name: /: step \d+/ })).toBeVisible()
+  await expect(page.getByRole('list', { name: 'Pseudocode' })).toBeVisible()
+})
