@@ -32,7 +32,7 @@ export interface Row {
   /** Number of the planner setting, from 0. */
   readonly setting: number
   readonly planner: string
-  /** The parameters that the settings name; the others have their defaults. */
+  /** All its parameters, those that the settings do not name with their defaults. */
   readonly params: Readonly<Record<string, ParamValue>>
   readonly seed: number
   readonly status: Status

@@ -1,9 +1,10 @@
-import { type Outcome, plan } from '../algorithms/plan'
+import { completeParams, type ParamSettings } from '../algorithms/params'
+import { type Outcome, plan, plannerById } from '../algorithms/plan'
 import { type Cell, type Grid, pointOf } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import { bug1Bound, bug2Bound } from './bounds'
 import type { Row } from './row'
-import { type ExperimentSettings, type PlannerSetting, plannerSettings } from './settings'
+import { type ExperimentSettings, plannerSettings } from './settings'
 import { type TestMap, testMap } from './test-map'
 
 /**
@@ -20,17 +21,19 @@ export function runMap(
   const map = testMap(settings, number)
   const shared = { ...describeMap(map), ...optimumOf(map.problem) }
   return plannerSettings(settings).map((chosen, setting) => {
-    const options = { params: chosen.params, seed: map.plannerSeed }
+    const { planner } = chosen
+    const params = completeParams(plannerById(planner), chosen.params, map.problem)
     const began = now()
-    const outcome = plan(map.problem, chosen.planner, options)
+    const outcome = plan(map.problem, planner, { params, seed: map.plannerSeed })
     const milliseconds = rounded(now() - began, 3)
     return {
       ...shared,
       setting,
-      ...chosen,
+      planner,
+      params,
       seed: map.plannerSeed,
-      ...describeOutcome(outcome, chosen, shared),
-      bound: boundOf(map.problem, chosen),
+      ...describeOutcome(outcome, params.cost === 'euclidean', shared),
+      bound: boundOf(map.problem, planner, params),
       milliseconds,
     }
   })
@@ -75,13 +78,13 @@ function optimumOf(problem: Problem): Optimum {
 
 function describeOutcome(
   { status, measure, expanded, sensed }: Outcome,
-  { params }: PlannerSetting,
+  byLength: boolean,
   optimum: Optimum,
 ) {
   const { cells, length, turns } = measure
   const steps = Math.max(0, cells - 1)
   const least = optimum.optimumCells === null ? 0 : optimum.optimumCells - 1
-  const ratio = params.cost === 'euclidean' ? length / (optimum.optimumLength ?? 0) : steps / least
+  const ratio = byLength ? length / (optimum.optimumLength ?? 0) : steps / least
   return {
     status,
     cells,
@@ -95,7 +98,7 @@ function describeOutcome(
 }
 
 /** Only Bug1 and Bug2 (`closer`) have one. */
-function boundOf(problem: Problem, { planner, params }: PlannerSetting): number | null {
+function boundOf(problem: Problem, planner: string, params: ParamSettings): number | null {
   if (planner === 'bug1')
     return bug1Bound(problem, params.turn === 'right' ? 'right' : 'left').steps
   if (planner === 'bug2' && params.leave === 'closer') return bug2Bound(problem).steps

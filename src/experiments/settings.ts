@@ -1,4 +1,5 @@
 import type { ParamValue } from '../algorithms/params'
+import { plannerById } from '../algorithms/plan'
 import type { Size } from '../grid/generators'
 import type { DiagonalRule } from '../grid/steps'
 
@@ -129,8 +130,9 @@ export function countWork(settings: ExperimentSettings): {
   return { maps, settings: each, runs: maps * each }
 }
 
-/** A planner setting in a few words: "bug2 (leave closer)". */
+/** A planner setting in a few words: "Bug2 (leave closer)". */
 export function settingName({ planner, params }: PlannerSetting): string {
+  const { title } = plannerById(planner)
   const values = Object.entries(params).map(([name, value]) => `${name} ${value}`)
-  return values.length === 0 ? planner : `${planner} (${values.join(', ')})`
+  return values.length === 0 ? title : `${title} (${values.join(', ')})`
 }
