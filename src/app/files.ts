@@ -1,6 +1,7 @@
 import { InputError } from '../grid/errors'
 import { openMap } from '../grid/formats/open-map'
 import { saveProject } from '../grid/formats/project-file'
+import { download } from './download'
 import { byId } from './element'
 import type { State } from './state'
 import type { Store } from './store'
@@ -35,13 +36,9 @@ export async function openFile(store: Store<State>, file: File): Promise<void> {
 export function saveFile(store: Store<State>): void {
   const { problem } = store.state.setup
   const { width, height } = problem.grid
-  const url = URL.createObjectURL(new Blob([saveProject(problem)], { type: 'application/json' }))
-  const link = document.createElement('a')
-  link.href = url
-  link.download = `path-planner-${width}x${height}.json`
-  link.click()
-  URL.revokeObjectURL(url)
-  store.update((state) => say(state, `Saved as ${link.download}.`))
+  const name = `path-planner-${width}x${height}.json`
+  download(saveProject(problem), 'application/json', name)
+  store.update((state) => say(state, `Saved as ${name}.`))
 }
 
 /** Binds the file input and dropping a file anywhere on the page; returns what asks for a file. */

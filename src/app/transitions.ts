@@ -4,7 +4,10 @@ import * as history from './history'
 import { roomForMap } from './layout/room'
 import type { Preferences } from './preferences'
 import { type Setup, withGrid } from './setup'
-import type { Message, Shown, State } from './state'
+import type { Shown, State } from './state'
+import { tell } from './telling'
+
+export { dismiss, tell } from './telling'
 
 // Transitions are pure: each makes the next state from the last one.
 
@@ -164,19 +167,4 @@ export function prefer(state: State, some: Partial<Preferences>): State {
 export const say = (state: State, text: string): State => ({
   ...state,
   said: { text, withOutcome: false },
-})
-
-const MOST_MESSAGES = 3
-
-/** A message on screen; the same one again takes the place of the first. */
-export function tell(state: State, kind: Message['kind'], text: string): State {
-  const id = state.messagesTold + 1
-  const others = state.messages.filter((message) => message.text !== text)
-  const messages = [...others, { id, kind, text }].slice(-MOST_MESSAGES)
-  return { ...state, messages, messagesTold: id }
-}
-
-export const dismiss = (state: State, id: number): State => ({
-  ...state,
-  messages: state.messages.filter((message) => message.id !== id),
 })
