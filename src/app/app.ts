@@ -8,6 +8,7 @@ import { byId } from './element'
 import { bindFiles, saveFile } from './files'
 import { drawIcons } from './icons'
 import { keep } from './keeper'
+import { bindLink } from './open-link'
 import { hint } from './panels/hint'
 import { mapMenu } from './panels/map-menu'
 import { messages } from './panels/messages'
@@ -15,6 +16,7 @@ import { plannerCard } from './panels/planner-card'
 import { resultCard } from './panels/result-card'
 import { toolbar } from './panels/toolbar'
 import { type Planning, planningFor } from './planning'
+import type { Setup } from './setup'
 import { Stage } from './stage'
 import { beginWith } from './start'
 import { initialState, type State } from './state'
@@ -37,7 +39,9 @@ export function startApp(): void {
 
   const planning = planningFor(store)
   const stage = new Stage(store, map, planning.tick)
-  playPlans(store, stage, isFirstVisit)
+  const isLinked = bindLink(store)
+  playPlans(store, stage, isFirstVisit, isLinked)
+  // After the link, whose map takes the place of what was drawn only once it is changed.
   keep(store, shelf)
   stage.open(panels(store, planning, stage))
   bindInput(map, store, openHelp)
@@ -73,10 +77,18 @@ function panels(
   ]
 }
 
-/** A plan that arrives is played; at once while the pointer is down, and if motion is unwelcome. */
-function playPlans(store: Store<State>, stage: Stage, isFirstVisit: boolean): void {
+/**
+ * A plan that arrives is played; at once while the pointer is down, and if motion is unwelcome. Who
+ * follows a link comes to see how it ended.
+ */
+function playPlans(
+  store: Store<State>,
+  stage: Stage,
+  isFirstVisit: boolean,
+  isLinked: (setup: Setup) => boolean,
+): void {
   const stillness = window.matchMedia('(prefers-reduced-motion: reduce)')
-  let isShowcase = isFirstVisit
+  let isShowcase = isFirstVisit && !isLinked(store.state.setup)
   const endShowcase = () => {
     if (isShowcase) stage.stop()
     isShowcase = false
@@ -87,7 +99,7 @@ function playPlans(store: Store<State>, stage: Stage, isFirstVisit: boolean): vo
   store.subscribe(({ setup, shown }, before) => {
     if (setup !== before.setup) stage.stop()
     if (!shown || shown === before.shown) return
-    const atOnce = shown.instant || shown.setup !== setup || stillness.matches
+    const atOnce = shown.instant || shown.setup !== setup || stillness.matches || isLinked(setup)
     if (atOnce) stage.stop()
     else stage.play(shown, isShowcase ? SHOWCASE : PLAYED_ONCE)
   })
