@@ -31,7 +31,12 @@ export function openRowsFile(path: string, origin: Origin): RowsWriter {
   ftruncateSync(file, bytes)
   let end = bytes
   const write = (lines: string) => {
-    end += writeSync(file, Buffer.from(lines), 0, null, end)
+    const text = Buffer.from(lines)
+    for (let done = 0; done < text.length; ) {
+      const written = writeSync(file, text, done, text.length - done, end)
+      done += written
+      end += written
+    }
   }
   if (bytes === 0) write(`${originToLine(origin)}\n`)
   return { next, write, close: () => closeSync(file) }
