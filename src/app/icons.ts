@@ -2,11 +2,13 @@ import {
   mdiAlert,
   mdiBookOpenVariant,
   mdiBrightness4,
+  mdiChartBoxOutline,
   mdiCheckCircle,
   mdiChevronDown,
   mdiClose,
   mdiContentSaveOutline,
   mdiDice5Outline,
+  mdiDownloadOutline,
   mdiDrag,
   mdiEraser,
   mdiFilePlusOutline,
@@ -17,6 +19,7 @@ import {
   mdiMapMarkerPath,
   mdiMapOutline,
   mdiMinus,
+  mdiPlay,
   mdiPlus,
   mdiRedo,
   mdiShieldCheck,
@@ -55,6 +58,9 @@ export const ICONS = {
   proof: mdiShieldCheck,
   bad: mdiAlert,
   busy: mdiTimerSand,
+  experiments: mdiChartBoxOutline,
+  run: mdiPlay,
+  download: mdiDownloadOutline,
 } as const
 
 export type IconName = keyof typeof ICONS
