@@ -30,7 +30,7 @@ async function run(command: Extract<Command, { kind: 'run' }>): Promise<void> {
   const progress = new Progress(end - first, writer.next - first)
   const stop = new AbortController()
   for (const signal of ['SIGINT', 'SIGTERM'] as const) {
-    process.once(signal, () => stop.abort())
+    process.on(signal, () => stop.abort())
   }
   const job = { settings, maps, workers, program: new URL(import.meta.url), signal: stop.signal }
   try {

@@ -89,12 +89,13 @@ const shape = v.strictObject(
  * @throws InputError that names the first field that is missing, unknown or wrong.
  */
 export function readSettingsShape(value: unknown): ExperimentSettings {
+  if (Array.isArray(value)) throw notAnObject(value)
   const result = v.safeParse(shape, value, { abortEarly: true })
   if (result.success) return result.output
   const [issue] = result.issues
   const path = issue.path ?? []
   const place = path.map(({ key }) => (typeof key === 'number' ? `[${key}]` : `.${key}`)).join('')
-  if (place === '') throw new InputError(`The settings must be an object, not ${describe(value)}.`)
+  if (place === '') throw notAnObject(value)
   const field = place.replace(/^\./, '')
   const key = String(path[path.length - 1].key)
   if (issue.type === 'strict_object' && issue.expected === 'never') {
@@ -106,3 +107,6 @@ export function readSettingsShape(value: unknown): ExperimentSettings {
   }
   throw new InputError(`${field}: must be ${issue.message}, but is ${describe(issue.input)}.`)
 }
+
+const notAnObject = (value: unknown) =>
+  new InputError(`The settings must be an object, but are ${describe(value)}.`)
