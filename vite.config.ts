@@ -3,7 +3,8 @@ import { defineConfig } from 'vite'
 // Relative addresses, so that the built page works from any sub-path.
 export default defineConfig({
   base: './',
-  // There is one page: any other address is an error, also where the built page is tried out.
+  // Any address but those of the pages is an error, also where the built pages are tried out.
   appType: 'mpa',
   worker: { format: 'es' },
+  build: { rolldownOptions: { input: ['index.html', 'experiments.html'] } },
 })

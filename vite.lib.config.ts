@@ -1,10 +1,19 @@
 import { defineConfig } from 'vite'
 
-// The planners as a library for Node and other programs.
+// The planners as a library for Node and other programs, and the programs of the command line.
 export default defineConfig({
   publicDir: false,
   build: {
+    target: 'es2022',
     outDir: 'dist-lib',
-    lib: { entry: 'src/index.ts', formats: ['es'], fileName: 'index' },
+    lib: {
+      entry: {
+        index: 'src/index.ts',
+        experiment: 'src/cli/experiment.ts',
+        evaluation: 'src/cli/evaluation.ts',
+      },
+      formats: ['es'],
+    },
+    rolldownOptions: { external: /^node:/ },
   },
 })

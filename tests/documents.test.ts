@@ -5,7 +5,7 @@ import { join, resolve } from 'node:path'
 import { build } from 'vite'
 import { expect, test } from 'vitest'
 import type { OfflinePlanner } from '../src/algorithms/planner'
-import { firstIllegalStep, planners, Tape } from '../src/index'
+import { countWork, firstIllegalStep, planners, readSettings, Tape } from '../src/index'
 import { mapNumber } from './reference/maps'
 import { isReachable, problemOf, RULES } from './reference/world'
 
@@ -34,6 +34,15 @@ test('the program in README.md runs in Node and prints what is said', async () =
   } finally {
     rmSync(folder, { recursive: true })
   }
+})
+
+test('the settings in README.md can be run, and the fault in it is the one that is told', () => {
+  const settings = readSettings(block(readme, 'json'))
+  // Three densities and a maze in two sizes, and a map; each 100 times.
+  expect(countWork(settings)).toEqual({ maps: 900, settings: 6, runs: 5400 })
+  const broken = block(readme, 'json').replace('[20, 80, 320]', '[-1]')
+  const [, told] = readme.match(/`(planners\[1\][^`]*)`/) ?? []
+  expect(() => readSettings(broken)).toThrow(told)
 })
 
 test.each(planners)('$id and its parameters are listed in README.md', ({ id, title, params }) => {

@@ -8,6 +8,7 @@ import { byId } from './element'
 import { bindFiles } from './files'
 import { drawIcons } from './icons'
 import { keep } from './keeper'
+import { bindLink } from './open-link'
 import { hint } from './panels/hint'
 import { mapMenu } from './panels/map-menu'
 import { messages } from './panels/messages'
@@ -18,6 +19,7 @@ import { stepsCard } from './panels/steps-card'
 import { toolbar } from './panels/toolbar'
 import { type Planning, planningFor } from './planning'
 import { savers } from './save'
+import type { Setup } from './setup'
 import { SHOWCASE, type Tempo, WELCOME } from './speeds'
 import { type Panel, Stage } from './stage'
 import { beginWith } from './start'
@@ -35,8 +37,10 @@ export function startApp(): void {
   const map = byId('map', HTMLDivElement)
   drawIcons(document)
 
-  const planning = planningFor(store, welcomes(store, isFirstVisit))
+  const isLinked = bindLink(store)
+  const planning = planningFor(store, welcomes(store, isFirstVisit, isLinked))
   const stage = new Stage(store, map, planning.tick)
+  // After the link, whose map takes the place of what was drawn only once it is changed.
   keep(store, shelf)
   stage.open(panels(store, planning, stage))
   bindInput(map, store, openHelp)
@@ -70,10 +74,17 @@ function panels(store: Store<State>, planning: Planning, stage: Stage): readonly
   ]
 }
 
-/** A plan that arrives is played; at once while the pointer is down, and if motion is unwelcome. */
-function welcomes(store: Store<State>, isFirstVisit: boolean): (shown: Shown) => Tempo | null {
+/**
+ * A plan that arrives is played; at once while the pointer is down, and if motion is unwelcome. Who
+ * follows a link comes to see how it ended.
+ */
+function welcomes(
+  store: Store<State>,
+  isFirstVisit: boolean,
+  isLinked: (setup: Setup) => boolean,
+): (shown: Shown) => Tempo | null {
   const stillness = window.matchMedia('(prefers-reduced-motion: reduce)')
-  let isShowcase = isFirstVisit
+  let isShowcase = isFirstVisit && !isLinked(store.state.setup)
   const endShowcase = () => {
     isShowcase = false
   }
@@ -81,7 +92,8 @@ function welcomes(store: Store<State>, isFirstVisit: boolean): (shown: Shown) =>
   window.addEventListener('keydown', endShowcase, { once: true })
 
   return (shown) => {
-    const atOnce = shown.instant || shown.setup !== store.state.setup || stillness.matches
+    const isCurrent = shown.setup === store.state.setup
+    const atOnce = shown.instant || !isCurrent || stillness.matches || isLinked(shown.setup)
     if (atOnce) return null
     return isShowcase ? SHOWCASE : WELCOME
   }

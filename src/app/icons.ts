@@ -2,11 +2,13 @@ import {
   mdiAlert,
   mdiBookOpenVariant,
   mdiBrightness4,
+  mdiChartBoxOutline,
   mdiCheckCircle,
   mdiChevronDown,
   mdiClose,
   mdiContentSaveOutline,
   mdiDice5Outline,
+  mdiDownloadOutline,
   mdiDrag,
   mdiEraser,
   mdiFastForward,
@@ -73,6 +75,9 @@ const ICONS = {
   'next-landmark': mdiFastForward,
   'to-last': mdiSkipForward,
   picture: mdiImageOutline,
+  experiments: mdiChartBoxOutline,
+  run: mdiPlay,
+  download: mdiDownloadOutline,
 } as const
 
 export type IconName = keyof typeof ICONS

@@ -3,6 +3,7 @@ import { saveProject } from '../grid/formats/project-file'
 import type { Grid } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import type { Scene } from '../render/scene'
+import { download } from './download'
 import { plannerOf } from './setup'
 import { type State, visiblePlan } from './state'
 import type { Store } from './store'
@@ -54,7 +55,7 @@ export function savers(store: Store<State>, sceneNow: () => Scene) {
   const save = (files: (state: State) => Promise<readonly Saved[]>) => () => {
     void files(store.state).then(
       (saved) => {
-        for (const file of saved) download(file)
+        for (const { name, content } of saved) download(content, typeOf(name), name)
         const names = saved.map(({ name }) => name).join(' and ')
         store.update((state) => say(state, `Saved as ${names}.`))
       },
@@ -79,14 +80,4 @@ const TYPES: Readonly<Record<string, string>> = {
   svg: 'image/svg+xml',
 }
 
-function download({ name, content }: Saved): void {
-  const type = TYPES[name.slice(name.lastIndexOf('.') + 1)]
-  const blob = typeof content === 'string' ? new Blob([content], { type }) : content
-  const url = URL.createObjectURL(blob)
-  const link = document.createElement('a')
-  link.href = url
-  link.download = name
-  link.click()
-  // The browser may begin to read it only after this.
-  setTimeout(() => URL.revokeObjectURL(url), 60_000)
-}
+const typeOf = (name: string): string => TYPES[name.slice(name.lastIndexOf('.') + 1)] ?? ''

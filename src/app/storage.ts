@@ -3,7 +3,7 @@ import { faultOf, type ParamSettings } from '../algorithms/params'
 import { planners } from '../algorithms/planners'
 import { fromBase64, packWalls, toBase64, unpackWalls } from '../grid/formats/packed'
 import { MAX_SIDE, MIN_SIDE } from '../grid/grid'
-import { checkProblem } from '../grid/problem'
+import { checkProblem, type Problem } from '../grid/problem'
 import { DIAGONAL_RULES } from '../grid/steps'
 import { defaultPreferences, type Preferences, preferencesSchema } from './preferences'
 import type { Setup } from './setup'
@@ -49,18 +49,24 @@ export function setupToText(setup: Setup): string {
   return JSON.stringify({ version: 1, width, height, walls, ...ends, plannerId, params, seed })
 }
 
-/** @throws Error if the text is not what `setupToText` writes, or holds no map to plan on. */
-function setupFromText(text: string): Setup {
+/**
+ * @param readParams what to make of parameters that no planner declares, or whose values do not fit
+ * @throws Error if the text is not what `setupToText` writes, or holds no map to plan on.
+ */
+export function setupFromText(text: string, readParams: ReadParams = knownParams): Setup {
   const read = v.parse(setupSchema, JSON.parse(text))
   const { width, height, start, goal, diagonal, plannerId, params, seed } = read
   const walls = unpackWalls(fromBase64(read.walls), width * height)
   const problem = { grid: { width, height, walls }, start, goal, diagonal }
   checkProblem(problem)
-  return { problem, plannerId, params: knownParams(params), seed }
+  return { problem, plannerId, params: readParams(params, problem), seed }
 }
 
+type AllParams = Readonly<Record<string, ParamSettings>>
+type ReadParams = (params: AllParams, problem: Problem) => AllParams
+
 /** Without what no planner declares any more, as after an update of the page. */
-function knownParams(params: Record<string, ParamSettings>): Record<string, ParamSettings> {
+function knownParams(params: AllParams): AllParams {
   const known: Record<string, ParamSettings> = {}
   for (const planner of planners) {
     const settings = params[planner.id]

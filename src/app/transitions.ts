@@ -6,7 +6,10 @@ import { roomForMap } from './layout/room'
 import type { Preferences } from './preferences'
 import { type Setup, withGrid } from './setup'
 import type { Tempo } from './speeds'
-import { type Message, type Shown, type State, THE_END } from './state'
+import { type Shown, type State, THE_END } from './state'
+import { tell } from './telling'
+
+export { dismiss, tell } from './telling'
 
 // Transitions are pure: each makes the next state from the last one.
 
@@ -182,19 +185,4 @@ export const say = (state: State, text: string): State => ({
 export const sayOfCell = (state: State, text: string): State => ({
   ...state,
   said: { text, followedBy: 'cell' },
-})
-
-const MOST_MESSAGES = 3
-
-/** A message on screen; the same one again takes the place of the first. */
-export function tell(state: State, kind: Message['kind'], text: string): State {
-  const id = state.messagesTold + 1
-  const others = state.messages.filter((message) => message.text !== text)
-  const messages = [...others, { id, kind, text }].slice(-MOST_MESSAGES)
-  return { ...state, messages, messagesTold: id }
-}
-
-export const dismiss = (state: State, id: number): State => ({
-  ...state,
-  messages: state.messages.filter((message) => message.id !== id),
 })

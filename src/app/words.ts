@@ -8,7 +8,7 @@ export type Tone = 'good' | 'proof' | 'bad'
 export const toneOf = (status: Status): Tone =>
   status === 'reached' ? 'good' : status === 'unreachable' ? 'proof' : 'bad'
 
-const cellsInWords = (count: number): string =>
+export const cellsInWords = (count: number): string =>
   `${count.toLocaleString('en')} ${count === 1 ? 'cell' : 'cells'}`
 
 /**

@@ -17,7 +17,7 @@ export type MapAction =
 export function mapMenu(actions: Readonly<Record<MapAction, () => void>>): void {
   const button = byId('map-menu-button', HTMLButtonElement)
   const menu = byId('map-menu', HTMLDivElement)
-  const entries = [...menu.querySelectorAll<HTMLButtonElement>('[role=menuitem]')]
+  const entries = [...menu.querySelectorAll<HTMLElement>('[role=menuitem]')]
 
   button.popoverTargetElement = menu
   menu.addEventListener('toggle', (event) => {

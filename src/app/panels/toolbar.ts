@@ -1,22 +1,9 @@
 import { byId } from '../element'
-import { type IconName, setIcon } from '../icons'
-import type { ThemeChoice } from '../preferences'
 import type { State } from '../state'
 import type { Store } from '../store'
 import { ZOOM_STEP, zoomed } from '../tools/keys'
 import { fitToRoom, prefer, redo, say, undo } from '../transitions'
-
-const NEXT: Readonly<Record<ThemeChoice, ThemeChoice>> = {
-  system: 'dark',
-  dark: 'light',
-  light: 'system',
-}
-
-const SIGNS: Readonly<Record<ThemeChoice, IconName>> = {
-  system: 'theme-system',
-  dark: 'theme-dark',
-  light: 'theme-light',
-}
+import { themeButton } from './theme-button'
 
 /** Binds the toolbar's buttons; returns what shows a state in them. */
 export function toolbar(store: Store<State>, openHelp: () => void): (state: State) => void {
@@ -30,22 +17,16 @@ export function toolbar(store: Store<State>, openHelp: () => void): (state: Stat
   button('zoom-in', (state) => zoomed(state, ZOOM_STEP))
   button('zoom-out', (state) => zoomed(state, 1 / ZOOM_STEP))
   button('fit', fitToRoom)
-  const theme = button('theme', (state) => {
-    const next = NEXT[state.preferences.theme]
-    return say(prefer(state, { theme: next }), `Theme: ${next}.`)
-  })
-  const themeSign = theme.querySelector('svg')
+  const showTheme = themeButton((theme) =>
+    store.update((state) => say(prefer(state, { theme }), `Theme: ${theme}.`)),
+  )
   byId('help', HTMLButtonElement).addEventListener('click', openHelp)
 
   return ({ history, setup, committed, preferences }) => {
     // `aria-disabled` keeps the focus where it is when the last step was undone.
     setDisabled(undoButton, history.past.length === 0 && setup === committed)
     setDisabled(redoButton, history.future.length === 0)
-    const choice = preferences.theme
-    const label = `Theme: ${choice}. Change to ${NEXT[choice]}`
-    theme.setAttribute('aria-label', label)
-    theme.title = label
-    if (themeSign) setIcon(themeSign, SIGNS[choice])
+    showTheme(preferences.theme)
   }
 }
 

@@ -68,7 +68,11 @@ export function readProject(value: unknown): OpenedMap {
   return { problem, notes: [] }
 }
 
-function gridFromRows(rows: readonly unknown[]): Grid {
+/**
+ * A map from its rows, `#` obstacle and `.` free.
+ * @throws InputError that names the row or the cell that is wrong.
+ */
+export function gridFromRows(rows: readonly unknown[]): Grid {
   const width = rows.length === 0 ? 0 : rowText(rows, 0).length
   checkSize(width, rows.length)
   const walls = new Uint8Array(width * rows.length)

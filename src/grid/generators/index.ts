@@ -1,3 +1,4 @@
+import { blocks } from './blocks'
 import type { Generator } from './generator'
 import { maze } from './maze'
 import { random } from './random'
@@ -6,4 +7,4 @@ import { rooms } from './rooms'
 export type { Generator, GeneratorParam, Size } from './generator'
 
 /** All map generators. */
-export const generators: readonly Generator[] = [random, maze, rooms]
+export const generators: readonly Generator[] = [random, blocks, rooms, maze]

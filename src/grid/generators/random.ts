@@ -1,3 +1,4 @@
+import { withEndsMadeFree } from './ends-made-free'
 import { generator } from './generator'
 
 export const random = generator({
@@ -17,15 +18,9 @@ export const random = generator({
     },
   ],
 
-  build({ width, height }, { density }, random) {
-    const walls = new Uint8Array(width * height)
+  build(size, { density }, random) {
+    const walls = new Uint8Array(size.width * size.height)
     for (let i = 0; i < walls.length; i++) walls[i] = random() * 100 < density ? 1 : 0
-    const middle = Math.floor((height - 1) / 2) * width
-    const margin = Math.floor((width - 1) / 12)
-    const start = middle + margin
-    const goal = middle + width - 1 - margin
-    walls[start] = 0
-    walls[goal] = 0
-    return { walls, start, goal }
+    return withEndsMadeFree(size, walls)
   },
 })

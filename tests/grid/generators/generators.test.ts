@@ -6,8 +6,8 @@ import { checkProblem, type DiagonalRule, InputError } from '../../../src/index'
 import { RULES } from '../arbitraries'
 import { seeds, sizes } from './maps'
 
-test('three generators, each with an id of its own', () => {
-  expect(generators.map(({ id }) => id)).toEqual(['random', 'maze', 'rooms'])
+test('four generators, each with an id of its own', () => {
+  expect(generators.map(({ id }) => id)).toEqual(['random', 'blocks', 'rooms', 'maze'])
 })
 
 describe.each(generators)('$id', (generator) => {

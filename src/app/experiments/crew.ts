@@ -1,0 +1,135 @@
+import { InOrder } from '../../experiments/in-order'
+import type { Row } from '../../experiments/row'
+import { countWork, type ExperimentSettings } from '../../experiments/settings'
+import type { MapRange } from '../../experiments/shards'
+import type { Order, Report } from './protocol'
+
+/** What the crew needs of a `Worker`. */
+export interface Hand {
+  onmessage: ((event: { readonly data: Report }) => void) | null
+  onerror: ((event: { readonly message?: string; preventDefault?(): void }) => void) | null
+  postMessage(order: Order): void
+  terminate(): void
+}
+
+export interface CrewEvents {
+  /** More maps are done; their number, from the first on without a gap. */
+  progressed(maps: number): void
+  /** All maps are done. */
+  finished(): void
+  /** A worker broke; what was done until then is there. */
+  failed(message: string): void
+}
+
+/** How long a worker should be busy with a range: long enough to be worth a message. */
+const RANGE_MS = 150
+const MOST_MAPS = 64
+
+/** How far the others may go on while one map takes long. */
+const MOST_AHEAD = 1000
+
+/** Workers that run the maps of one experiment. */
+export class Crew {
+  readonly #settings: ExperimentSettings
+  readonly #total: number
+  readonly #events: CrewEvents
+  readonly #rows: Row[] = []
+  readonly #order: InOrder<readonly Row[]>
+  readonly #idle = new Set<Hand>()
+  #hands: Hand[]
+  #next = 0
+  /** What a map takes, so far. */
+  #pace = { maps: 0, milliseconds: 0 }
+
+  /** @param size how many workers; no more are made than there are maps */
+  constructor(
+    settings: ExperimentSettings,
+    makeHand: () => Hand,
+    size: number,
+    events: CrewEvents,
+  ) {
+    this.#settings = settings
+    this.#total = countWork(settings).maps
+    this.#events = events
+    this.#order = new InOrder(0, (rows) => {
+      for (const row of rows) this.#rows.push(row)
+    })
+    const count = Math.max(1, Math.min(size, this.#total))
+    this.#hands = Array.from({ length: count }, makeHand)
+    for (const hand of this.#hands) this.#start(hand)
+  }
+
+  /** Of all maps from the first on without a gap: what there is to keep at any moment. */
+  get rows(): readonly Row[] {
+    return this.#rows
+  }
+
+  /** Ends the work. The rows stay. */
+  stop(): void {
+    for (const hand of this.#hands) {
+      hand.onmessage = null
+      hand.onerror = null
+      hand.terminate()
+    }
+    this.#hands = []
+  }
+
+  #start(hand: Hand): void {
+    hand.onmessage = ({ data }) => this.#hear(hand, data)
+    hand.onerror = (event) => {
+      event.preventDefault?.()
+      this.#fail(event.message || 'a worker could not be started')
+    }
+    hand.postMessage({ kind: 'settings', settings: this.#settings })
+    this.#ask(hand)
+  }
+
+  #hear(hand: Hand, report: Report): void {
+    if (report.kind === 'failed') this.#fail(report.message)
+    else this.#take(hand, report)
+  }
+
+  #take(hand: Hand, report: Extract<Report, { kind: 'done' }>): void {
+    const { range, rows, milliseconds } = report
+    this.#pace = {
+      maps: this.#pace.maps + rows.length,
+      milliseconds: this.#pace.milliseconds + milliseconds,
+    }
+    const before = this.#order.next
+    rows.forEach((own, i) => {
+      this.#order.add(range.first + i, own)
+    })
+    if (this.#order.next > before) this.#events.progressed(this.#order.next)
+    if (this.#order.next === this.#total) {
+      this.stop()
+      this.#events.finished()
+      return
+    }
+    const waiting = [...this.#idle, hand]
+    this.#idle.clear()
+    for (const one of waiting) this.#ask(one)
+  }
+
+  #ask(hand: Hand): void {
+    const range = this.#nextRange()
+    if (range) hand.postMessage({ kind: 'maps', range })
+    else this.#idle.add(hand)
+  }
+
+  #nextRange(): MapRange | null {
+    const first = this.#next
+    const left = Math.min(this.#total, this.#order.next + MOST_AHEAD) - first
+    if (left <= 0) return null
+    const { maps, milliseconds } = this.#pace
+    const worth = maps === 0 ? 1 : Math.floor((RANGE_MS * maps) / Math.max(milliseconds, 1))
+    // At the end there is something left for everyone.
+    const fair = Math.ceil((this.#total - first) / (2 * this.#hands.length))
+    this.#next = first + Math.max(1, Math.min(worth, fair, left, MOST_MAPS))
+    return { first, end: this.#next }
+  }
+
+  #fail(message: string): void {
+    this.stop()
+    this.#events.failed(message)
+  }
+}

@@ -1,0 +1,93 @@
+import { openResults } from '../../experiments/open-results'
+import { RESULTS_FORMAT } from '../../experiments/results'
+import type { GivenMap } from '../../experiments/settings'
+import { readSettings } from '../../experiments/settings-check'
+import { InputError } from '../../grid/errors'
+import { openMap } from '../../grid/formats/open-map'
+import { gridToRows } from '../../grid/text-map'
+import { byId } from '../element'
+import type { Store } from '../store'
+import { tell } from '../telling'
+import type { PageState } from './state'
+import { addMaps, openSettings, showResults } from './transitions'
+
+/** No more than a text of a browser can hold. */
+const MOST_BYTES = 400 * 2 ** 20
+
+/** What a file of settings or of results changes. */
+export function openText(state: PageState, text: string): PageState {
+  const isResults = text.startsWith('#') || text.slice(0, 200).includes(RESULTS_FORMAT)
+  if (!isResults) return openSettings(state, readSettings(text))
+  const results = openResults(text)
+  return showResults(openSettings(state, results.settings), results)
+}
+
+/** Opens settings or results. What is wrong with them is said, and all stays as it was. */
+async function openFile(store: Store<PageState>, file: File): Promise<void> {
+  try {
+    const text = await textOf(file)
+    store.update((state) => tell(openText(state, text), 'note', `Opened ${file.name}.`))
+  } catch (error) {
+    refuse(store, file, error)
+  }
+}
+
+/** Adds the maps in files to the family of opened maps. */
+async function openMaps(store: Store<PageState>, files: readonly File[]): Promise<void> {
+  const maps: GivenMap[] = []
+  for (const file of files) {
+    try {
+      const { problem } = openMap(await textOf(file))
+      maps.push({ name: file.name, rows: gridToRows(problem.grid) })
+    } catch (error) {
+      refuse(store, file, error)
+    }
+  }
+  if (maps.length > 0) store.update((state) => addMaps(state, maps))
+}
+
+async function textOf(file: File): Promise<string> {
+  if (file.size > MOST_BYTES) {
+    throw new InputError(`It has more than ${MOST_BYTES / 2 ** 20} MB.`)
+  }
+  return file.text()
+}
+
+function refuse(store: Store<PageState>, file: File, error: unknown): void {
+  const why = error instanceof Error ? error.message : String(error)
+  store.update((state) => tell(state, 'error', `${file.name} was not opened. ${why}`))
+}
+
+/** Binds the two file inputs, and dropping a file of settings or results anywhere. */
+export function bindFiles(store: Store<PageState>): { open(): void; openMaps(): void } {
+  const input = byId('file', HTMLInputElement)
+  const mapInput = byId('map-files', HTMLInputElement)
+  const zone = byId('drop-zone', HTMLDivElement)
+  input.addEventListener('change', () => {
+    const file = input.files?.[0]
+    if (file) void openFile(store, file)
+    // The same file can be chosen again.
+    input.value = ''
+  })
+  mapInput.addEventListener('change', () => {
+    void openMaps(store, [...(mapInput.files ?? [])])
+    mapInput.value = ''
+  })
+  const hasFile = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false
+  window.addEventListener('dragover', (event) => {
+    if (!hasFile(event)) return
+    event.preventDefault()
+    zone.hidden = false
+  })
+  window.addEventListener('dragleave', (event) => {
+    if (event.relatedTarget === null) zone.hidden = true
+  })
+  window.addEventListener('drop', (event) => {
+    if (!hasFile(event)) return
+    event.preventDefault()
+    zone.hidden = true
+    const file = event.dataTransfer?.files[0]
+    if (file) void openFile(store, file)
+  })
+  return { open: () => input.click(), openMaps: () => mapInput.click() }
+}

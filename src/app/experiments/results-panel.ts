@@ -1,0 +1,95 @@
+import type { Mark } from '../../charts/chart'
+import { resultsToCsv } from '../../experiments/results-csv'
+import { resultsToJson } from '../../experiments/results-json'
+import { download } from '../download'
+import { byId, setText } from '../element'
+import type { Store } from '../store'
+import { tell } from '../telling'
+import type { ChartsPanel } from './charts-panel'
+import { showSummary } from './results-table'
+import { runsDialog } from './runs-dialog'
+import type { PageState, Shown } from './state'
+import { summarize } from './summary-table'
+import { toggleSeries } from './transitions'
+
+/** Binds the results; returns what shows a state in them. */
+export function resultsPanel(store: Store<PageState>): (state: PageState, isDark: boolean) => void {
+  const panel = byId('results', HTMLElement)
+  const about = byId('results-about', HTMLParagraphElement)
+  const table = byId('summary', HTMLTableElement)
+  const openRuns = runsDialog()
+  const charts = lazyCharts(store, (shown, mark) => openRuns(shown.results.settings, mark))
+  bindDownloads(store)
+  let seen: Shown | null = null
+
+  return (state, isDark) => {
+    const { shown } = state
+    panel.hidden = shown === null
+    if (shown && shown !== seen) {
+      const { settings, rows } = shown.results
+      setText(about, aboutInWords(shown))
+      showSummary(table, summarize(settings, rows), ({ name, failures }) =>
+        openRuns(settings, {
+          label: `${name}, goals that can be reached and were not`,
+          runs: [{ title: 'Failed', rows: failures }],
+        }),
+      )
+    }
+    seen = shown
+    charts(state, isDark)
+  }
+}
+
+function aboutInWords({ maps, total, results: { settings, rows } }: Shown): string {
+  const [m, t, r] = [maps, total, rows.length].map((number) => number.toLocaleString('en'))
+  const part = maps < total ? `The first ${m} of ${t} maps` : `${t} maps`
+  return `${part}, ${r} runs, seed ${settings.seed}.`
+}
+
+/** The charts, and the library that draws them, are loaded with the first results. */
+function lazyCharts(store: Store<PageState>, opened: (shown: Shown, mark: Mark) => void) {
+  const container = byId('charts', HTMLDivElement)
+  let panel: { readonly shown: Shown; readonly charts: ChartsPanel } | null = null
+  let asked: Shown | null = null
+
+  const load = async (shown: Shown, isDark: boolean) => {
+    try {
+      const { ChartsPanel } = await import('./charts-panel')
+      if (store.state.shown !== shown) return
+      panel?.charts.dispose()
+      const charts = new ChartsPanel(container, shown.results, {
+        opened: (mark) => opened(shown, mark),
+        toggled: (series) => store.update((state) => toggleSeries(state, series)),
+      })
+      panel = { shown, charts }
+      charts.show(isDark, store.state.hidden)
+    } catch (error) {
+      const why = error instanceof Error ? error.message : String(error)
+      store.update((state) => tell(state, 'error', `The charts could not be drawn. ${why}`))
+    }
+  }
+  return ({ shown, hidden }: PageState, isDark: boolean) => {
+    if (!shown) return
+    if (shown !== asked) {
+      asked = shown
+      void load(shown, isDark)
+    } else if (panel?.shown === shown) panel.charts.show(isDark, hidden)
+  }
+}
+
+function bindDownloads(store: Store<PageState>): void {
+  const save = (id: string, type: string, ending: string, textOf: typeof resultsToCsv) => {
+    byId(id, HTMLButtonElement).addEventListener('click', () => {
+      const { shown } = store.state
+      if (!shown) return
+      try {
+        download(textOf(shown.results), type, `path-planner-results.${ending}`)
+      } catch (error) {
+        const why = error instanceof Error ? error.message : String(error)
+        store.update((state) => tell(state, 'error', `The rows could not be saved. ${why}`))
+      }
+    })
+  }
+  save('save-csv', 'text/csv', 'csv', resultsToCsv)
+  save('save-json', 'application/json', 'json', resultsToJson)
+}

@@ -1,0 +1,56 @@
+import type { Results } from '../../experiments/results'
+import type { Preferences } from '../preferences'
+import type { Message } from '../state'
+import type { Telling } from '../telling'
+import { type Draft, draftOf } from './draft'
+import { type Checked, checkDraft } from './faults'
+import { presets } from './presets'
+
+export type Run =
+  | { readonly kind: 'idle' }
+  /** `left` in milliseconds, as far as it can be told. */
+  | {
+      readonly kind: 'running'
+      readonly done: number
+      readonly total: number
+      readonly left: number | null
+    }
+
+/** Results on show, and whether they are all that was asked for. */
+export interface Shown {
+  readonly results: Results
+  readonly maps: number
+  readonly total: number
+}
+
+/** All that the page shows. */
+export interface PageState extends Telling {
+  readonly draft: Draft
+  /** Grows when the whole form has to be made anew, and not while somebody types. */
+  readonly formMade: number
+  readonly checked: Checked
+  readonly run: Run
+  readonly shown: Shown | null
+  /** Names of the series that the charts leave out. */
+  readonly hidden: ReadonlySet<string>
+  readonly preferences: Preferences
+  readonly messages: readonly Message[]
+  /** For those who do not see what happens. */
+  readonly said: string
+}
+
+export function initialState(preferences: Preferences): PageState {
+  const draft = draftOf(presets[0].settings)
+  return {
+    draft,
+    formMade: 0,
+    checked: checkDraft(draft),
+    run: { kind: 'idle' },
+    shown: null,
+    hidden: new Set(),
+    preferences,
+    messages: [],
+    messagesTold: 0,
+    said: '',
+  }
+}

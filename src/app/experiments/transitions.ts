@@ -1,0 +1,110 @@
+import type { Results } from '../../experiments/results'
+import {
+  countWork,
+  type ExperimentSettings,
+  GIVEN_MAPS,
+  type GivenMap,
+} from '../../experiments/settings'
+import { durationInWords } from '../../experiments/time-left'
+import { type Draft, draftOf, type Entry, type List, newEntry } from './draft'
+import { checkDraft } from './faults'
+import type { PageState, Run } from './state'
+
+/** What is typed; the form shows it already. */
+export const edit = (state: PageState, change: Partial<Draft>): PageState => {
+  const draft = { ...state.draft, ...change }
+  return { ...state, draft, checked: checkDraft(draft) }
+}
+
+/** A change that the form does not show yet. */
+const remake = (state: PageState, change: Partial<Draft>): PageState => ({
+  ...edit(state, change),
+  formMade: state.formMade + 1,
+})
+
+export const openSettings = (state: PageState, settings: ExperimentSettings): PageState =>
+  remake(state, draftOf(settings))
+
+type Group = 'families' | 'planners'
+
+export const addEntry = (state: PageState, group: Group, id: string): PageState =>
+  remake(state, { [group]: [...state.draft[group], newEntry(id)] })
+
+export const removeEntry = (state: PageState, group: Group, key: number): PageState =>
+  remake(state, { [group]: state.draft[group].filter((entry) => entry.key !== key) })
+
+export const editList = (
+  state: PageState,
+  group: Group,
+  key: number,
+  name: string,
+  list: List,
+): PageState =>
+  edit(state, {
+    [group]: withEntry(state.draft[group], key, (entry) => ({
+      ...entry,
+      lists: { ...entry.lists, [name]: list },
+    })),
+  })
+
+/** Adds maps to the family of opened maps, which is made if there is none. */
+export function addMaps(state: PageState, maps: readonly GivenMap[]): PageState {
+  const { families } = state.draft
+  const own = families.find(({ id }) => id === GIVEN_MAPS)
+  if (!own) return remake(state, { families: [...families, newEntry(GIVEN_MAPS, {}, maps)] })
+  const added = (entry: Entry) => ({ ...entry, maps: [...entry.maps, ...maps] })
+  return remake(state, { families: withEntry(families, own.key, added) })
+}
+
+const withEntry = (
+  entries: readonly Entry[],
+  key: number,
+  change: (entry: Entry) => Entry,
+): Entry[] => entries.map((entry) => (entry.key === key ? change(entry) : entry))
+
+export const runStarted = (state: PageState, total: number): PageState => ({
+  ...state,
+  run: { kind: 'running', done: 0, total, left: null },
+  said: `Running ${total.toLocaleString('en')} maps.`,
+})
+
+export function runProgressed(state: PageState, done: number, left: number | null): PageState {
+  const { run } = state
+  if (run.kind !== 'running') return state
+  const quarter = (maps: number) => Math.floor((4 * maps) / run.total)
+  const isNews = quarter(done) > quarter(run.done) && done < run.total
+  const said = isNews ? progressInWords({ ...run, done, left }) : state.said
+  return { ...state, run: { ...run, done, left }, said }
+}
+
+/** "1,200 of 10,000 maps, 3 min 20 s left". */
+export function progressInWords({ done, total, left }: Extract<Run, { kind: 'running' }>): string {
+  const maps = `${done.toLocaleString('en')} of ${total.toLocaleString('en')} maps`
+  return left === null ? maps : `${maps}, ${durationInWords(left)} left`
+}
+
+/** Results to look at, all of them or the first maps only. */
+export function showResults(state: PageState, results: Results): PageState {
+  const { maps: total, settings } = countWork(results.settings)
+  const maps = Math.floor(results.rows.length / settings)
+  const text = `Results of ${maps.toLocaleString('en')} maps.`
+  return {
+    ...state,
+    run: { kind: 'idle' },
+    shown: { results, maps, total },
+    hidden: new Set(),
+    said: text,
+  }
+}
+
+/** A run that ended before its first map leaves the results of the one before. */
+export const runEnded = (state: PageState, results: Results): PageState =>
+  results.rows.length > 0
+    ? showResults(state, results)
+    : { ...state, run: { kind: 'idle' }, said: 'No map was done.' }
+
+export function toggleSeries({ hidden, ...state }: PageState, name: string): PageState {
+  const next = new Set(hidden)
+  if (!next.delete(name)) next.add(name)
+  return { ...state, hidden: next }
+}

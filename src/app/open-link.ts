@@ -1,0 +1,46 @@
+import { setupInLink } from './link'
+import type { Setup } from './setup'
+import type { State } from './state'
+import type { Store } from './store'
+import { changeMap, tell } from './transitions'
+
+/** The setup that an address names, opened above what was drawn: undo leads back to that. */
+export function openLink(state: State, hash: string): State {
+  try {
+    const setup = setupInLink(hash)
+    if (!setup) return state
+    const params = { ...state.setup.params, ...setup.params }
+    const opened = changeMap(state, { ...setup, params }, 'The map of the link is open.')
+    return tell(opened, 'note', 'This is the map of a link. Undo brings back what was here before.')
+  } catch (error) {
+    const why = error instanceof Error ? error.message : String(error)
+    return tell(state, 'error', `The link was not opened. ${why}`)
+  }
+}
+
+/**
+ * Opens the link in the address, now and whenever it changes. The address keeps it until the first
+ * edit, so that a reload opens it again, but never in place of what was drawn since.
+ * @returns whether a setup is that of the link, unchanged
+ */
+export function bindLink(store: Store<State>): (setup: Setup) => boolean {
+  let linked: Setup | null = null
+  const open = () => {
+    const before = store.state.setup
+    store.update((state) => openLink(state, window.location.hash))
+    const { setup } = store.state
+    if (setup !== before) linked = setup
+    else forget()
+  }
+  const forget = () => {
+    linked = null
+    if (window.location.hash === '') return
+    window.history.replaceState(null, '', window.location.pathname + window.location.search)
+  }
+  open()
+  window.addEventListener('hashchange', open)
+  store.subscribe(({ committed }) => {
+    if (linked && committed !== linked) forget()
+  })
+  return (setup) => setup === linked
+}

@@ -1,0 +1,51 @@
+import type { Row } from '../experiments/row'
+import { roadmapBySamples } from '../experiments/summary/samples'
+import type { Chart } from './chart'
+import { millisecondsInWords, percent, ratioInWords, successInWords } from './words'
+
+/** What more samples of a probabilistic roadmap bring, and what they cost. */
+export function samplesChart(rows: readonly Row[]): Chart {
+  const curves = roadmapBySamples(rows)
+  const points = curves.flatMap((curve, series) =>
+    curve.points.map((point) => ({ ...point, series, name: curve.name })),
+  )
+  const shown = points.filter(({ success }) => success.rows.length > 0)
+  return {
+    id: 'samples',
+    kind: 'lines',
+    title: 'Probabilistic roadmap: success over samples',
+    summary: [
+      'How often the roadmap led to the goal where it can be reached, over the number of samples.',
+      ...shown.map(
+        ({ samples, success, milliseconds }) =>
+          `${samples} samples: ${percent(success.rate)}, median time ${millisecondsInWords(milliseconds.median)}.`,
+      ),
+    ].join(' '),
+    x: { label: 'Samples', scale: 'log' },
+    y: { label: 'Reached, of the goals that can be reached', scale: 'percent' },
+    series: curves.map(({ name }, style) => ({ name: `Probabilistic roadmap, ${name}`, style })),
+    marks: shown.map(({ series, samples, success, ratio, milliseconds }) => ({
+      series,
+      x: samples,
+      y: success.rate,
+      low: success.low,
+      high: success.high,
+      label: `${samples} samples: ${successInWords(success)}, median ratio ${ratioInWords(ratio.quantiles.median)}, median time ${millisecondsInWords(milliseconds.median)}`,
+      runs: [{ title: 'Failed', rows: success.failures }],
+    })),
+    table: {
+      columns: ['Settings', 'Samples', 'Reached', 'Median ratio', 'Median time'],
+      rows: points.map(({ name, samples, success, ratio, milliseconds }) => [
+        name,
+        String(samples),
+        successInWords(success),
+        ratioInWords(ratio.quantiles.median),
+        millisecondsInWords(milliseconds.median),
+      ]),
+    },
+    missing:
+      new Set(shown.map(({ samples }) => samples)).size < 2
+        ? 'It needs the probabilistic roadmap with at least two numbers of samples.'
+        : '',
+  }
+}

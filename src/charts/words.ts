@@ -1,0 +1,30 @@
+import type { Success } from '../experiments/summary/success'
+
+/** 0.914 → "91.4 %". */
+export const percent = (share: number): string =>
+  Number.isNaN(share) ? '–' : `${(100 * share).toFixed(1)} %`
+
+/** "91.4 % (183 of 200; 95 % interval 86.7 % to 94.6 %)". */
+export function successInWords({ rate, low, high, rows, failures }: Success): string {
+  if (rows.length === 0) return 'no goal that can be reached'
+  const reached = rows.length - failures.length
+  return `${percent(rate)} (${count(reached)} of ${count(rows.length)}; 95 % interval ${percent(low)} to ${percent(high)})`
+}
+
+export const count = (value: number): string => value.toLocaleString('en')
+
+export const ratioInWords = (ratio: number): string =>
+  Number.isNaN(ratio) ? '–' : ratio.toFixed(3)
+
+/** Two digits that count, in milliseconds. */
+export function millisecondsInWords(value: number): string {
+  if (Number.isNaN(value)) return '–'
+  if (value === 0) return '0 ms'
+  return `${value < 100 ? value.toPrecision(2) : Math.round(value)} ms`
+}
+
+/** "0 %, 10 % and 20 %". */
+export function listInWords(items: readonly string[]): string {
+  if (items.length < 2) return items.join('')
+  return `${items.slice(0, -1).join(', ')} and ${items[items.length - 1]}`
+}

@@ -1,0 +1,75 @@
+import { availableParallelism } from 'node:os'
+import { parseArgs } from 'node:util'
+import { readShard, type Shard, WHOLE } from '../experiments/shards'
+import { InputError } from '../grid/errors'
+
+export const USAGE = `Runs an experiment: the planners and maps that a settings file names.
+
+  npm run experiment -- settings.json [--out rows.jsonl] [--shard i/n] [--workers k]
+  npm run experiment -- --merge [--out rows.jsonl] shard1.jsonl shard2.jsonl …
+
+  --out      where the rows go, as JSON lines; without it they are printed.
+             A run that was broken off goes on where its file ends.
+  --shard    only the i-th of n parts of the maps
+  --workers  how many threads work (as many as there are cores, if nothing else is said)
+  --merge    joins the files of all shards into the one that a single run would have made
+`
+
+export type Command =
+  | { readonly kind: 'help' }
+  | {
+      readonly kind: 'run'
+      readonly settings: string
+      readonly out: string | null
+      readonly shard: Shard
+      readonly workers: number
+    }
+  | { readonly kind: 'merge'; readonly files: readonly string[]; readonly out: string | null }
+
+/**
+ * What the arguments of the command line ask for.
+ * @throws InputError that says which argument is wrong
+ */
+export function readCommand(args: readonly string[]): Command {
+  const { values, positionals } = parse(args)
+  if (values.help) return { kind: 'help' }
+  const out = values.out ?? null
+  if (values.merge) {
+    if (positionals.length === 0) throw new InputError('--merge needs the files of the shards.')
+    for (const name of ['shard', 'workers'] as const) {
+      if (values[name] !== undefined) throw new InputError(`--merge runs nothing: no --${name}.`)
+    }
+    return { kind: 'merge', files: positionals, out }
+  }
+  const [settings, ...others] = positionals
+  if (settings === undefined) throw new InputError(`The settings file is missing.\n\n${USAGE}`)
+  if (others.length > 0) throw new InputError(`One settings file at a time: what is ${others[0]}?`)
+  const shard = values.shard === undefined ? WHOLE : readShard(values.shard)
+  return { kind: 'run', settings, out, shard, workers: readWorkers(values.workers) }
+}
+
+function parse(args: readonly string[]) {
+  try {
+    return parseArgs({
+      args: [...args],
+      allowPositionals: true,
+      options: {
+        out: { type: 'string' },
+        shard: { type: 'string' },
+        workers: { type: 'string' },
+        merge: { type: 'boolean' },
+        help: { type: 'boolean', short: 'h' },
+      },
+    })
+  } catch (error) {
+    const message = error instanceof Error ? error.message : String(error)
+    throw new InputError(`${message}\n\n${USAGE}`)
+  }
+}
+
+function readWorkers(text: string | undefined): number {
+  if (text === undefined) return availableParallelism()
+  const workers = Number(text)
+  if (Number.isInteger(workers) && workers >= 1 && workers <= 1024) return workers
+  throw new InputError(`--workers must be a whole number from 1 to 1024, but is "${text}".`)
+}

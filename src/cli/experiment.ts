@@ -1,0 +1,66 @@
+import { readFileSync } from 'node:fs'
+import { isMainThread } from 'node:worker_threads'
+import { countWork } from '../experiments/settings'
+import { readSettings } from '../experiments/settings-check'
+import { rangeOfShard } from '../experiments/shards'
+import { InputError } from '../grid/errors'
+import { type Command, readCommand, USAGE } from './command'
+import { mergeShards } from './merge'
+import { runMaps, serve } from './pool'
+import { Progress } from './progress'
+import { openRowsFile, printRows } from './results-file'
+
+/** As a shell has it for a program that Ctrl-C ended. */
+const INTERRUPTED = 130
+
+async function main(): Promise<void> {
+  const command = readCommand(process.argv.slice(2))
+  if (command.kind === 'help') process.stdout.write(USAGE)
+  else if (command.kind === 'merge') await mergeShards(command.files, command.out)
+  else await run(command)
+}
+
+async function run(command: Extract<Command, { kind: 'run' }>): Promise<void> {
+  const { shard, out, workers } = command
+  const settings = readSettings(readFileSync(command.settings, 'utf8'))
+  const origin = { settings, shard }
+  const writer = out === null ? printRows(origin) : openRowsFile(out, origin)
+  const { first, end } = rangeOfShard(shard, countWork(settings).maps)
+  const maps = { first: writer.next, end }
+  const progress = new Progress(end - first, writer.next - first)
+  const stop = new AbortController()
+  for (const signal of ['SIGINT', 'SIGTERM'] as const) {
+    process.on(signal, () => stop.abort())
+  }
+  const job = { settings, maps, workers, program: new URL(import.meta.url), signal: stop.signal }
+  try {
+    await runMaps(job, (lines) => {
+      writer.write(lines)
+      progress.add()
+    })
+  } finally {
+    progress.end()
+    writer.close()
+  }
+  if (!stop.signal.aborted) return
+  const again = out === null ? '' : ' The same command goes on from there.'
+  process.stderr.write(`Stopped after ${progress.done} of ${end - first} maps.${again}\n`)
+  process.exitCode = INTERRUPTED
+}
+
+/** Bad input and missing files are told in a sentence; anything else is a bug, told in full. */
+function tell(error: unknown): void {
+  const isPlain = error instanceof InputError || (error instanceof Error && 'syscall' in error)
+  const text = isPlain ? error.message : error instanceof Error ? error.stack : String(error)
+  process.stderr.write(`${text}\n`)
+  process.exitCode = 1
+}
+
+// A reader that has seen enough, such as `head`, ends the run.
+process.stdout.on('error', (error) => {
+  if ('code' in error && error.code === 'EPIPE') process.exit(0)
+  throw error
+})
+
+if (isMainThread) await main().catch(tell)
+else serve()

@@ -1,0 +1,107 @@
+import { createReadStream, createWriteStream, renameSync } from 'node:fs'
+import { createInterface } from 'node:readline'
+import { pipeline } from 'node:stream/promises'
+import { type Origin, readOrigin } from '../experiments/results'
+import { originToLine, parseLine } from '../experiments/results-json'
+import { countWork } from '../experiments/settings'
+import { rangeOfShard, WHOLE } from '../experiments/shards'
+import { InputError } from '../grid/errors'
+
+interface ShardFile {
+  readonly path: string
+  readonly origin: Origin
+  /** How many bytes stand before the first row. */
+  readonly headerBytes: number
+}
+
+/**
+ * Joins the files of all shards of an experiment into the file that a single run makes. All of them
+ * are checked before anything is written, and the new file takes its name when it is whole.
+ * @param out path of the new file; `null` for the standard output
+ * @throws InputError that names the file that is not of these settings, not complete or there twice
+ */
+export async function mergeShards(paths: readonly string[], out: string | null): Promise<void> {
+  const files: ShardFile[] = []
+  for (const path of paths) files.push(await readShardFile(path))
+  files.sort((a, b) => a.origin.shard.index - b.origin.shard.index)
+  checkTogether(files)
+  const part = out === null ? null : `${out}.part`
+  const target = part === null ? process.stdout : createWriteStream(part)
+  target.write(`${originToLine({ ...files[0].origin, shard: WHOLE })}\n`)
+  for (const { path, headerBytes } of files) {
+    await pipeline(createReadStream(path, { start: headerBytes }), target, { end: false })
+  }
+  if (part === null || out === null) return
+  await new Promise<void>((resolve) => target.end(resolve))
+  renameSync(part, out)
+}
+
+/** Reads all of the file, to see that each row is there and in its place. */
+async function readShardFile(path: string): Promise<ShardFile> {
+  let shard: ShardFile | null = null
+  let next = 0
+  let setting = 0
+  let number = 0
+  let maps = { first: 0, end: 0 }
+  let each = 0
+  for await (const line of createInterface({ input: createReadStream(path), crlfDelay: 0 })) {
+    number++
+    if (shard === null) {
+      const origin = named(path, () => readOrigin(parseLine(line, 1)))
+      const work = countWork(origin.settings)
+      each = work.settings
+      maps = rangeOfShard(origin.shard, work.maps)
+      next = maps.first
+      shard = { path, origin, headerBytes: Buffer.byteLength(line) + 1 }
+      continue
+    }
+    const row = Object(named(path, () => parseLine(line, number)))
+    if (next >= maps.end || row.map !== next || row.setting !== setting) {
+      throw new InputError(
+        `${path} is damaged: line ${number} is not the row that should stand there.`,
+      )
+    }
+    if (++setting < each) continue
+    setting = 0
+    next++
+  }
+  if (shard === null) throw new InputError(`${path} is empty.`)
+  if (next < maps.end) {
+    throw new InputError(
+      `${path} is not complete: ${maps.end - next} of its ${maps.end - maps.first} maps are missing. Run it again to go on.`,
+    )
+  }
+  return shard
+}
+
+function named<T>(path: string, read: () => T): T {
+  try {
+    return read()
+  } catch (error) {
+    throw error instanceof InputError ? new InputError(`${path}: ${error.message}`) : error
+  }
+}
+
+function checkTogether(files: readonly ShardFile[]): void {
+  const [{ path, origin }] = files
+  const { of } = origin.shard
+  const seen = new Map<number, string>()
+  for (const file of files) {
+    const { shard } = file.origin
+    if (
+      originToLine({ ...file.origin, shard: WHOLE }) !== originToLine({ ...origin, shard: WHOLE })
+    ) {
+      throw new InputError(`${path} and ${file.path} are of different settings.`)
+    }
+    if (shard.of !== of) {
+      throw new InputError(`${path} is one of ${of} shards, ${file.path} one of ${shard.of}.`)
+    }
+    const other = seen.get(shard.index)
+    if (other)
+      throw new InputError(`${other} and ${file.path} are both shard ${shard.index}/${of}.`)
+    seen.set(shard.index, file.path)
+  }
+  for (let index = 1; index <= of; index++) {
+    if (!seen.has(index)) throw new InputError(`Shard ${index}/${of} is missing.`)
+  }
+}

@@ -1,0 +1,21 @@
+import type { Results } from './results'
+import { resultsFromCsv } from './results-csv'
+import { resultsFromJson, resultsFromLines } from './results-json'
+
+/**
+ * Opens a results file: JSON lines, one JSON object, or CSV.
+ * @throws InputError that says what is wrong with it, and where
+ */
+export function openResults(text: string): Results {
+  if (text.startsWith('#')) return resultsFromCsv(text)
+  return beginsWithOrigin(text) ? resultsFromLines(text) : resultsFromJson(text)
+}
+
+/** Whether the first line is a JSON value of its own, and not all of the results in one line. */
+function beginsWithOrigin(text: string): boolean {
+  try {
+    return !('rows' in Object(JSON.parse(text.split('\n', 1)[0])))
+  } catch {
+    return false
+  }
+}

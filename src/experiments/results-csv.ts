@@ -1,0 +1,143 @@
+import { InputError } from '../grid/errors'
+import { describe } from '../grid/excerpt'
+import { originToJson, type Results, readOrigin } from './results'
+import { parseLine } from './results-json'
+import type { Row } from './row'
+import { readRow } from './row-shape'
+
+type Value = string | number | boolean | null
+
+/** Columns named after the row's fields; "start.x", "mapParams.density", "params.leave" lie within one. */
+const COLUMNS = [
+  'map',
+  'family',
+  'mapParams',
+  'width',
+  'height',
+  'density',
+  'mapSeed',
+  'start.x',
+  'start.y',
+  'goal.x',
+  'goal.y',
+  'distance',
+  'tooNear',
+  'reachable',
+  'optimumCells',
+  'optimumLength',
+  'setting',
+  'planner',
+  'params',
+  'seed',
+  'status',
+  'cells',
+  'length',
+  'turns',
+  'steps',
+  'ratio',
+  'expanded',
+  'sensed',
+  'bound',
+  'milliseconds',
+] as const
+
+/** Columns whose values are words, whatever they look like. */
+const WORDS: ReadonlySet<string> = new Set(['family', 'planner', 'status'])
+
+/**
+ * Results as a table of values separated by commas (RFC 4180). A comment before the names of the
+ * columns has the settings as JSON; most programs skip it if told that "#" begins a comment.
+ */
+export function resultsToCsv({ rows, ...origin }: Results): string {
+  const flat = rows.map(flatten)
+  const names = columnNames(flat)
+  const lines = flat.map((row) => names.map((name) => quoted(row[name] ?? null)).join(','))
+  return [`# ${JSON.stringify(originToJson(origin))}`, names.join(','), ...lines, ''].join('\n')
+}
+
+/**
+ * The results in a table that `resultsToCsv` wrote.
+ * @throws InputError that names the line that is wrong
+ */
+export function resultsFromCsv(text: string): Results {
+  const [comment, header, ...lines] = text.replaceAll('\r\n', '\n').trimEnd().split('\n')
+  if (!comment.startsWith('# ')) throw new InputError('Line 1 must be "# " and the settings.')
+  const origin = readOrigin(parseLine(comment.slice(2), 1))
+  const names = (header ?? '').split(',')
+  const rows = lines.map((line, i) => {
+    const number = `Line ${i + 3}`
+    const values = splitLine(line)
+    if (values.length !== names.length) {
+      throw new InputError(
+        `${number} has ${values.length} values, but there are ${names.length} columns.`,
+      )
+    }
+    const row = names.map((name, k) => [name, valueIn(values[k], WORDS.has(name))] as const)
+    return readRow(unflatten(Object.fromEntries(row)), number)
+  })
+  return { ...origin, rows }
+}
+
+function flatten({ start, goal, mapParams, params, ...plain }: Row): Record<string, Value> {
+  const within = (prefix: string, values: Readonly<Record<string, Value>>) =>
+    Object.entries(values).map(([name, value]) => [`${prefix}.${name}`, value] as const)
+  return {
+    ...plain,
+    'start.x': start[0],
+    'start.y': start[1],
+    'goal.x': goal[0],
+    'goal.y': goal[1],
+    ...Object.fromEntries(within('mapParams', mapParams)),
+    ...Object.fromEntries(within('params', params)),
+  }
+}
+
+function unflatten(flat: Readonly<Record<string, Value>>): unknown {
+  const row: Record<string, unknown> = {
+    start: [flat['start.x'], flat['start.y']],
+    goal: [flat['goal.x'], flat['goal.y']],
+    mapParams: {},
+    params: {},
+  }
+  for (const [name, value] of Object.entries(flat)) {
+    const [field, inner] = name.split('.')
+    if (field === 'start' || field === 'goal') continue
+    if (inner === undefined) row[field] = value
+    else if (value !== null) row[field] = { ...Object(row[field]), [inner]: value }
+  }
+  return row
+}
+
+/** All columns; those of parameters in the order in which they appear. */
+function columnNames(flat: readonly Readonly<Record<string, Value>>[]): string[] {
+  const seen = new Set(flat.flatMap((row) => Object.keys(row)))
+  const within = (field: string) => [...seen].filter((name) => name.startsWith(`${field}.`))
+  return COLUMNS.flatMap((name) =>
+    name === 'mapParams' || name === 'params' ? within(name) : [name],
+  )
+}
+
+function quoted(value: Value): string {
+  const text = value === null ? '' : String(value)
+  return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text
+}
+
+function splitLine(line: string): string[] {
+  const values: string[] = []
+  const part = /(?:"((?:[^"]|"")*)"|([^,]*))(,|$)/y
+  for (let end = ','; end === ','; ) {
+    const found = part.exec(line)
+    if (!found) throw new InputError(`This line has a quote that is not closed: ${describe(line)}.`)
+    values.push(found[1]?.replaceAll('""', '"') ?? found[2])
+    end = found[3]
+  }
+  return values
+}
+
+function valueIn(text: string, isWord: boolean): Value {
+  if (isWord) return text
+  if (text === '') return null
+  if (text === 'true' || text === 'false') return text === 'true'
+  const number = Number(text)
+  return Number.isNaN(number) ? text : number
+}

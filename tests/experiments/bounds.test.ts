@@ -1,0 +1,113 @@
+import { expect, test } from 'vitest'
+import { bug1Bound, bug2Bound, type LengthBound } from '../../src/experiments/bounds'
+import { problemFromText } from '../../src/index'
+import { isBoxedIn, obstacleInTheWay, onceAround, type Turn } from '../reference/boundary'
+import { bug1 } from '../reference/bug1'
+import { LONG, must, onEveryMap } from '../reference/cases'
+import { mustNotExceed, type Run, run } from '../reference/run'
+import { flood, problemOf, simplest, steps, type World, type XY } from '../reference/world'
+
+/** Each obstacle that refuses a step from one of the cells: its perimeter and how often it does. */
+function obstaclesAt(world: World, cells: readonly XY[], turn: Turn) {
+  const rings = new Map<string, { perimeter: number; refusals: number }>()
+  for (const cell of cells) {
+    const next = simplest(cell, world.goal)[1]
+    const obstacle = next && obstacleInTheWay(world, cell, next)
+    if (!obstacle || isBoxedIn(world, cell)) continue
+    const lap = onceAround(world, { at: cell, obstacle }, turn, () => false)
+    const taken = lap.slice(1).map((place, i) => `${lap[i]} ${place}`)
+    const name = taken.sort()[0]
+    const ring = rings.get(name) ?? { perimeter: taken.length, refusals: 0 }
+    ring.refusals++
+    rings.set(name, ring)
+  }
+  return [...rings.values()]
+}
+
+/** The bound may not be exceeded, and neither may it be looser than it is by its definition. */
+function mustBound(found: Run, bound: LengthBound, expected: number): void {
+  mustNotExceed(bound.steps, found)
+  must(bound.steps === expected, () => `${found.name}: bound ${bound.steps}, not ${expected}`)
+}
+
+test('bug1 stays within D + 1.5 Σ p, and one round more where it is refused as it leaves', {
+  timeout: LONG,
+}, async () => {
+  let again = 0
+  let within = 0
+  let tightest = 0
+  await onEveryMap((world) => {
+    for (const turn of ['left', 'right'] as const) {
+      const found = run(world, 'bug1', { turn })
+      const { hits } = bug1(world, turn)
+      const obstacles = obstaclesAt(world, hits, turn)
+      let expected = steps(world.start, world.goal)
+      for (const { perimeter, refusals } of obstacles) {
+        expected += (0.5 + refusals) * perimeter
+        if (refusals === 1) continue
+        again++
+        must(refusals === 2, () => `${found.name}: met an obstacle ${refusals} times`)
+        must(found.outcome.status === 'unreachable', () => `${found.name}: round twice`)
+      }
+      mustBound(found, bug1Bound(problemOf(world), turn), expected)
+      if (expected > 20) tightest = Math.max(tightest, (found.path.length - 1) / expected)
+      within++
+    }
+  })
+  // The exception is there, and it is one.
+  expect(again).toBeGreaterThan(0)
+  expect(again).toBeLessThan(within / 4)
+  expect(tightest).toBeGreaterThan(0.9)
+})
+
+test('bug2 with closer stays within D + ½ Σ n p', { timeout: LONG }, async () => {
+  let tightest = 0
+  await onEveryMap((world) => {
+    const inside = flood(world)
+    const line = simplest(world.start, world.goal).filter((cell) => inside.has(String(cell)))
+    const bound = bug2Bound(problemOf(world))
+    for (const turn of ['left', 'right'] as const) {
+      const found = run(world, 'bug2', { leave: 'closer', turn })
+      let expected = steps(world.start, world.goal)
+      for (const { perimeter, refusals } of obstaclesAt(world, line, turn)) {
+        expected += perimeter * refusals
+      }
+      mustBound(found, bound, expected)
+      if (expected > 20) tightest = Math.max(tightest, (found.path.length - 1) / expected)
+    }
+  })
+  expect(tightest).toBeGreaterThan(0.9)
+})
+
+test('a bound by hand: one obstacle, both sides of a thin wall', () => {
+  const problem = problemFromText(`
+    .......
+    ...#...
+    .S.#.G.
+    .......
+  `)
+  // Around two cells: a side of 2, a side of 1, each twice, and 4 corners of 1 step more.
+  expect(bug1Bound(problem, 'left')).toEqual({
+    distance: 4,
+    obstacles: [{ hit: 16, perimeter: 10, rounds: 1.5 }],
+    steps: 19,
+  })
+  expect(bug2Bound(problem)).toEqual({
+    distance: 4,
+    obstacles: [{ hit: 16, perimeter: 10, rounds: 1 }],
+    steps: 14,
+  })
+})
+
+test('an obstacle that the m-line enters twice counts twice for bug2', () => {
+  const problem = problemFromText(`
+    .........
+    ..#####..
+    S.#...#.G
+    ..#.#.#..
+    ....#....
+  `)
+  const [share, ...others] = bug2Bound(problem).obstacles
+  expect(others).toEqual([])
+  expect(share.rounds).toBe(2)
+})

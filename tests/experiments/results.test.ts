@@ -1,0 +1,93 @@
+import { describe, expect, test } from 'vitest'
+import type { Results } from '../../src/experiments/results'
+import {
+  InputError,
+  openResults,
+  resultsToCsv,
+  resultsToJson,
+  resultsToLines,
+  runMap,
+} from '../../src/index'
+import { settingsWith, timeless } from './settings'
+
+const settings = settingsWith()
+const rows = [0, 1, 2, 8, 9].flatMap((map) => runMap(settings, map, () => performance.now()))
+const results: Results = { settings, shard: { index: 1, of: 1 }, rows }
+
+const FORMATS = { lines: resultsToLines, json: resultsToJson, csv: resultsToCsv }
+
+describe.each(Object.entries(FORMATS))('%s', (_, write) => {
+  test('is opened again, settings and all', () => {
+    expect(openResults(write(results))).toEqual(results)
+  })
+
+  test('without rows too', () => {
+    expect(openResults(write({ ...results, rows: [] }))).toEqual({ ...results, rows: [] })
+  })
+
+  test('knows which shard it is', () => {
+    const shard = { index: 2, of: 3 }
+    expect(openResults(write({ ...results, shard })).shard).toEqual(shard)
+  })
+
+  test('has settings inside that give the same rows', () => {
+    const opened = openResults(write(results))
+    expect(timeless(runMap(opened.settings, 8))).toEqual(
+      timeless(rows.filter(({ map }) => map === 8)),
+    )
+  })
+
+  test('with settings that are broken names the field', () => {
+    const broken = write(results).replace('"seed":7', '"seed":-7')
+    expect(() => openResults(broken)).toThrow('seed: must be a whole number')
+  })
+
+  test('with a row that is broken names the place', () => {
+    const text = write(results)
+    const broken = text.replace(/reached(?![\s\S]*reached)/, 'arrived')
+    expect(broken).not.toBe(text)
+    expect(() => openResults(broken)).toThrow(/^(Line|Row) \d+ is no row .*"status" is "arrived"/)
+  })
+})
+
+test('CSV has the settings in a comment, the names of the columns, and a line a row', () => {
+  const [comment, names, first, ...others] = resultsToCsv(results).split('\n')
+  expect(JSON.parse(comment.slice(2)).settings).toEqual(settings)
+  expect(names).toContain('map,family,mapParams.density')
+  expect(names).toContain('params.leave')
+  expect(first).toMatch(/^0,random,10,/)
+  expect(others).toHaveLength(rows.length)
+})
+
+test('CSV with line ends of Windows is read', () => {
+  expect(openResults(resultsToCsv(results).replaceAll('\n', '\r\n'))).toEqual(results)
+})
+
+test('values with commas and quotes stay whole', () => {
+  const odd = { ...rows[0], family: 'a "b", c' }
+  expect(openResults(resultsToCsv({ ...results, rows: [odd] })).rows).toEqual([odd])
+})
+
+test('JSON may be written anew by other programs', () => {
+  const value = JSON.parse(resultsToJson(results))
+  expect(openResults(JSON.stringify(value))).toEqual(results)
+  expect(openResults(JSON.stringify(value, null, 2))).toEqual(results)
+})
+
+test('a last line without an end is left out', () => {
+  const whole = resultsToLines(results)
+  expect(openResults(whole.slice(0, -30)).rows).toEqual(rows.slice(0, -1))
+})
+
+test.each([
+  ['', 'The file is broken in line 1'],
+  ['{}', 'its "format" is undefined'],
+  ['{"format":"path-planner"}', 'its "format" is "path-planner", not "path-planner-results"'],
+  ['{"format":"path-planner-results","version":9}', 'of version 9'],
+  ['hello', 'The file is broken in line 1, column 1'],
+  ['#', 'Line 1 must be "# " and the settings.'],
+  ['# no', 'Line 1 is no JSON: "no".'],
+])('%j is no results file', (text, message) => {
+  expect(() => openResults(text)).toThrow(InputError)
+  expect(() => openResults(text)).toThrow(message)
+})
