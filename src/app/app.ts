@@ -1,4 +1,5 @@
 import { announcer } from './announcer'
+import { comparingFor } from './compare/comparing'
 import { aboutDialog } from './dialogs/about-planner'
 import { dialog } from './dialogs/dialog'
 import { generateDialog } from './dialogs/generate'
@@ -9,6 +10,7 @@ import { bindFiles } from './files'
 import { drawIcons } from './icons'
 import { keep } from './keeper'
 import { bindLink } from './open-link'
+import { compareCard } from './panels/compare-card'
 import { hint } from './panels/hint'
 import { mapMenu } from './panels/map-menu'
 import { messages } from './panels/messages'
@@ -40,6 +42,7 @@ export function startApp(): void {
   const isLinked = bindLink(store)
   const planning = planningFor(store, welcomes(store, isFirstVisit, isLinked))
   const stage = new Stage(store, map, planning.tick)
+  comparingFor(store)
   // After the link, whose map takes the place of what was drawn only once it is changed.
   keep(store, shelf)
   stage.open(panels(store, planning, stage))
@@ -66,6 +69,7 @@ function panels(store: Store<State>, planning: Planning, stage: Stage): readonly
     plannerCard(store, aboutDialog(store)),
     resultCard(planning),
     stepsCard(store),
+    compareCard(store, () => stage.coversChanged(true)),
     playbackBar(store),
     toolbar(store, openHelp),
     messages(store),

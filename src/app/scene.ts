@@ -1,5 +1,6 @@
 import type { Scene } from '../render/scene'
 import { darkTheme, lightTheme } from '../render/theme'
+import { comparedPaths } from './compare/paths'
 import type { Moment } from './moment'
 import { plannerOf, type Setup, valuesOf } from './setup'
 import type { State } from './state'
@@ -16,6 +17,7 @@ export function sceneOf(state: State, moment: Moment | null, isDark: boolean): S
     sight: preferences.sight,
     // Where there is none, nothing need look for it in a long tape.
     showPotential: preferences.showPotential && shown !== undefined && shown.last.field !== null,
+    comparison: comparedPaths(state),
     cursor: cursorShown ? cursor : -1,
     hovered,
   }

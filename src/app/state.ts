@@ -3,6 +3,7 @@ import type { Cell } from '../grid/grid'
 import type { Rect, ScreenSize, View } from '../render/view'
 import type { Frame } from '../trace/frame'
 import type { TapeColumns } from '../trace/tape'
+import { type Comparison, noComparison } from './compare/state'
 import { emptyHistory, type History } from './history'
 import type { Preferences } from './preferences'
 import type { Place } from './score'
@@ -62,6 +63,7 @@ export interface State {
   readonly playing: Tempo | null
   /** Where the cursor was put before the map was edited; `null` after it was moved itself. */
   readonly kept: Place | null
+  readonly comparison: Comparison
   readonly view: View
   /** Whether the view was fitted to the room that the cards leave, and not moved by hand since. */
   readonly fitted: boolean
@@ -91,6 +93,7 @@ export function initialState(setup: Setup, preferences: Preferences): State {
     time: THE_END,
     playing: null,
     kept: null,
+    comparison: noComparison,
     view: { scale: 1, left: 0, top: 0 },
     fitted: true,
     screen: { width: 0, height: 0 },

@@ -1,6 +1,7 @@
 import { completeParams, type ParamSettings } from '../algorithms/params'
 import { type Outcome, plan, plannerById } from '../algorithms/plan'
 import { type Cell, type Grid, pointOf } from '../grid/grid'
+import type { PathMeasure } from '../grid/path'
 import type { Problem } from '../grid/problem'
 import { bug1Bound, bug2Bound } from './bounds'
 import type { Row } from './row'
@@ -57,13 +58,14 @@ function describeMap({ number, kind, seed, problem, distance, tooNear }: TestMap
   }
 }
 
-interface Optimum {
+/** The least cost that there is on a map, by both rules. */
+export interface Optimum {
   readonly reachable: boolean
   readonly optimumCells: number | null
   readonly optimumLength: number | null
 }
 
-function optimumOf(problem: Problem): Optimum {
+export function optimumOf(problem: Problem): Optimum {
   const byCells = plan(problem, 'decomposition', { params: { cost: 'cells' } })
   if (byCells.status !== 'reached') {
     return { reachable: false, optimumCells: null, optimumLength: null }
@@ -82,23 +84,33 @@ function describeOutcome(
   optimum: Optimum,
 ) {
   const { cells, length, turns } = measure
-  const steps = Math.max(0, cells - 1)
-  const least = optimum.optimumCells === null ? 0 : optimum.optimumCells - 1
-  const ratio = byLength ? length / (optimum.optimumLength ?? 0) : steps / least
   return {
     status,
     cells,
     length: rounded(length, 6),
     turns,
-    steps,
-    ratio: status === 'reached' ? rounded(ratio, 6) : null,
+    steps: stepsOf(measure),
+    ratio: ratioToOptimum({ status, measure }, byLength, optimum),
     expanded,
     sensed,
   }
 }
 
+const stepsOf = ({ cells }: PathMeasure): number => Math.max(0, cells - 1)
+
+/** What a path cost, by length or by steps, over the least cost there is; `null` unless it reached. */
+export function ratioToOptimum(
+  { status, measure }: Pick<Outcome, 'status' | 'measure'>,
+  byLength: boolean,
+  { optimumCells, optimumLength }: Optimum,
+): number | null {
+  if (status !== 'reached' || optimumCells === null || optimumLength === null) return null
+  const ratio = byLength ? measure.length / optimumLength : stepsOf(measure) / (optimumCells - 1)
+  return rounded(ratio, 6)
+}
+
 /** Only Bug1 and Bug2 (`closer`) have one. */
-function boundOf(problem: Problem, planner: string, params: ParamSettings): number | null {
+export function boundOf(problem: Problem, planner: string, params: ParamSettings): number | null {
   if (planner === 'bug1')
     return bug1Bound(problem, params.turn === 'right' ? 'right' : 'left').steps
   if (planner === 'bug2' && params.leave === 'closer') return bug2Bound(problem).steps

@@ -4,6 +4,7 @@ import { drawGround, drawMarks, drawPlan } from './drawing'
 import { edgeLines } from './edge-lines'
 import type { FieldRange } from './heat'
 import { drawBorder, drawCells } from './layers/cells'
+import { drawComparison } from './layers/comparison'
 import { drawEdges } from './layers/roadmap'
 import type { Pen } from './pen'
 import { type Placement, placeMap } from './placement'
@@ -49,6 +50,7 @@ function drawUponCells(pen: Pen, place: Placement, scene: Scene, range: FieldRan
     drawEdges(pen, place, scene.theme, edgeLines(place.columns, place.rows, frame.edges))
     drawPlan(pen, place, scene.theme, frame)
   }
+  drawComparison(pen, place, scene.theme, scene.comparison)
   drawMarks(pen, place, scene)
 }
 

@@ -5,6 +5,7 @@ import { CellImage } from './cell-image'
 import { dottedRows, drawGround, drawMarks, drawPlan, latestEdge } from './drawing'
 import { edgeLines } from './edge-lines'
 import { drawBorder, drawCells } from './layers/cells'
+import { drawComparison } from './layers/comparison'
 import { drawEdges } from './layers/roadmap'
 import { type DeviceScreen, type Placement, placeMap } from './placement'
 import { planOnMap, type Scene } from './scene'
@@ -21,6 +22,7 @@ export class Picture {
   readonly #ground: Sheet
   readonly #roadmap: Sheet
   readonly #plan: Sheet
+  readonly #comparison: Sheet
   readonly #marks: Sheet
   #screen: DeviceScreen = { width: 0, height: 0, pixel: 1 }
   #paintings = 0
@@ -32,6 +34,7 @@ export class Picture {
     this.#ground = new Sheet(host, 'ground')
     this.#roadmap = new Sheet(host, 'roadmap')
     this.#plan = new Sheet(host, 'plan')
+    this.#comparison = new Sheet(host, 'comparison')
     this.#marks = new Sheet(host, 'marks')
   }
 
@@ -58,6 +61,7 @@ export class Picture {
     this.#drawGround(scene, place, ground)
     this.#drawRoadmap(scene, place, ground)
     this.#drawPlan(scene, place, ground)
+    this.#drawComparison(scene, place, ground)
     this.#drawMarks(scene, place, ground)
   }
 
@@ -67,7 +71,7 @@ export class Picture {
   }
 
   #sheets(): Sheet[] {
-    return [this.#ground, this.#roadmap, this.#plan, this.#marks]
+    return [this.#ground, this.#roadmap, this.#plan, this.#comparison, this.#marks]
   }
 
   #drawGround(scene: Scene, place: Placement, ground: readonly unknown[]): void {
@@ -107,6 +111,13 @@ export class Picture {
     if (!this.#plan.isOutdated([...ground, plan?.tape, ...counts])) return
     this.#plan.clear()
     if (frame) drawPlan(this.#plan.context, place, scene.theme, frame)
+  }
+
+  #drawComparison(scene: Scene, place: Placement, ground: readonly unknown[]): void {
+    const paths = scene.comparison.flatMap(({ path, style }) => [path, style])
+    if (!this.#comparison.isOutdated([...ground, ...paths])) return
+    this.#comparison.clear()
+    drawComparison(this.#comparison.context, place, scene.theme, scene.comparison)
   }
 
   #drawMarks(scene: Scene, place: Placement, ground: readonly unknown[]): void {

@@ -2,6 +2,7 @@ import type { Cell } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import type { Frame } from '../trace/frame'
 import type { TapeColumns } from '../trace/tape'
+import type { StyledPath } from './path-styles'
 import type { Theme } from './theme'
 
 /** The plan on screen and its picture at this moment. */
@@ -28,6 +29,8 @@ export interface Scene {
   readonly sight: Sight
   /** Whether potentials are shown, as a heat map and, in large cells, as numbers. */
   readonly showPotential: boolean
+  /** Paths that are drawn together, on a map of this size; none unless planners are compared. */
+  readonly comparison: readonly StyledPath[]
   /** The keyboard's cell; -1 if the map is not being used by keyboard. */
   readonly cursor: Cell
   /** The cell that is asked about, by pointer or keyboard; -1 if none. */

@@ -22,6 +22,7 @@ export function sceneOf(problem: Problem, changes: Partial<Scene> = {}): Scene {
     sensorRange: 0,
     sight: 'both',
     showPotential: false,
+    comparison: [],
     cursor: -1,
     hovered: -1,
     ...changes,

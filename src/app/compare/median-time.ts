@@ -1,0 +1,38 @@
+/** A reading this long is many ticks of a browser's clock, of which one may be 0.1 ms. */
+const LEAST_READING_MS = 1
+const LEAST_READINGS = 5
+const ENOUGH_MS = 20
+/** A run that takes longer is not repeated. */
+export const MOST_MS = 300
+
+/**
+ * How long `run` takes, in milliseconds: the median of at least 5 readings and 20 ms, unless those
+ * would take more than 300 ms. Runs too quick for the clock are read several at a time.
+ */
+export function medianTime(run: () => void, now: () => number): number {
+  const began = now()
+  let runsAtOnce = 1
+  const readings: number[] = []
+  for (;;) {
+    const from = now()
+    for (let i = 0; i < runsAtOnce; i++) run()
+    const to = now()
+    const spent = to - began
+    if (to - from < LEAST_READING_MS && spent < MOST_MS) {
+      // What was read so far was too short to mean something.
+      readings.length = 0
+      runsAtOnce *= 2
+      continue
+    }
+    readings.push((to - from) / runsAtOnce)
+    const isEnough = readings.length >= LEAST_READINGS && spent >= ENOUGH_MS
+    if (isEnough || spent >= MOST_MS) return median(readings)
+  }
+}
+
+/** The middle one, or the mean of the two in the middle. @param values at least one */
+export function median(values: readonly number[]): number {
+  const sorted = values.toSorted((a, b) => a - b)
+  const middle = Math.floor(sorted.length / 2)
+  return sorted.length % 2 === 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2
+}
