@@ -96,7 +96,10 @@ export async function expectResult(page: Page, words: string | RegExp): Promise<
 
 /** A number of the result card, as "Turns" or "Expanded". */
 export const resultNumber = (page: Page, label: string): Locator =>
-  page.getByRole('row', { name: label }).getByRole('cell')
+  page
+    .getByRole('table', { name: 'Numbers of this plan' })
+    .getByRole('row', { name: label })
+    .getByRole('cell')
 
 /** Waits until these words were said to those who listen. */
 export async function expectSaid(page: Page, words: string | RegExp): Promise<void> {

@@ -39,6 +39,7 @@ export async function expectStep(page: Page, step: number, of?: number): Promise
 }
 
 export async function stepsInAll(page: Page): Promise<number> {
+  await drawn(page)
   return Number(await scrubber(page).getAttribute('max'))
 }
 

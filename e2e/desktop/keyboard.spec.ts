@@ -68,7 +68,7 @@ test('a whole session without a mouse', async ({ map, page }) => {
   await page.keyboard.press('Space')
   await expectSaid(page, '(4, 0) is now an obstacle. Reached in 8 cells.')
   await page.keyboard.press('ArrowUp')
-  await expectSaid(page, 'Edge of the map. (4, 0), obstacle')
+  await expectSaid(page, 'Edge of the map. (4, 0), obstacle.')
   await page.keyboard.press('ArrowDown')
   await page.keyboard.press('Enter')
   await page.keyboard.press('ArrowDown')

@@ -128,6 +128,18 @@ test('the scrubber goes to any step, by mouse and by keys, and says where it is'
   await page.mouse.up()
 })
 
+test('keys that come faster than frames are all counted on the scrubber', async ({ page }) => {
+  await openScenario(page, BENT)
+  await scrubber(page).focus()
+  for (let i = 0; i < 10; i++) {
+    await press(page, 'End')
+    await expectStep(page, 9)
+    const keys = ['Home', 'ArrowRight', 'ArrowRight', 'PageDown', 'ArrowLeft']
+    await Promise.all(keys.map((key) => press(page, key)))
+    await expectStep(page, 8)
+  }
+})
+
 test('played slowly, each landmark is said, and nothing else', async ({ page }) => {
   await openScenario(page, BENT)
   await choose(page, '5 steps/s')

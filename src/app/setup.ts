@@ -99,3 +99,17 @@ function nearestFreeCell(grid: Grid, x: number, y: number): Cell {
   }
   return nearest
 }
+
+/** Whether nothing was changed from one to the other; obstacles drawn anew count as a change. */
+export function isSameSetup(a: Setup, b: Setup): boolean {
+  const [p, q] = [a.problem, b.problem]
+  return (
+    p.grid === q.grid &&
+    p.start === q.start &&
+    p.goal === q.goal &&
+    p.diagonal === q.diagonal &&
+    a.plannerId === b.plannerId &&
+    a.params === b.params &&
+    a.seed === b.seed
+  )
+}

@@ -4,7 +4,7 @@ import { cursorOn, endWelcome } from './arrival'
 import * as history from './history'
 import { roomForMap } from './layout/room'
 import type { Preferences } from './preferences'
-import { type Setup, withGrid } from './setup'
+import { isSameSetup, type Setup, withGrid } from './setup'
 import type { Tempo } from './speeds'
 import { type Shown, type State, THE_END } from './state'
 import { tell } from './telling'
@@ -26,6 +26,8 @@ export function edit(state: State, setup: Setup): State {
 /** Makes all edits since the last commit one step to undo. */
 export function commit(state: State, text: string): State {
   if (state.setup === state.committed) return state
+  // A mark that was dragged away and back.
+  if (isSameSetup(state.setup, state.committed)) return cancel(state)
   return {
     ...state,
     history: history.remember(state.history, state.committed),

@@ -47,6 +47,13 @@ describe('edits', () => {
     expect(commit(state, 'Moved.').history.past.length).toBe(0)
   })
 
+  it('that lead back to where they began are no step', () => {
+    const away = edit(begin, moved(begin, 9))
+    const back = commit(edit(away, moved(away, 11)), 'Moved.')
+    expect(back.setup).toBe(begin.setup)
+    expect(back.history.past.length).toBe(0)
+  })
+
   it('under way are what undo takes back first', () => {
     let state = change(begin, moved(begin, 10), 'Moved.')
     state = edit(state, moved(state, 9))

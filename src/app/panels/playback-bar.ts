@@ -6,7 +6,7 @@ import { SIGHTS } from '../preferences'
 import { type Score, scoreOf } from '../score'
 import { plannerOf } from '../setup'
 import { isFast, SPEEDS, speedInWords } from '../speeds'
-import { cellAskedAbout, type State } from '../state'
+import { cellAskedAbout, type State, visiblePlan } from '../state'
 import { stepInWords } from '../steps-in-words'
 import type { Store } from '../store'
 import { prefer, say } from '../transitions'
@@ -56,6 +56,11 @@ export function playbackBar(store: Store<State>): (state: State, moment: Moment 
   for (const choice of SIGHTS) {
     sight.append(create('option', { value: choice }, SIGHT_NAMES[choice]))
   }
+  // Its own keys go on from where the plan is, even if that is not drawn yet.
+  scrubber.addEventListener('keydown', () => {
+    const shown = visiblePlan(store.state)
+    if (shown) scrubber.value = String(stepNumber(store.state, shown).step)
+  })
   scrubber.addEventListener('input', () => {
     store.update((state) => toStep(state, scrubber.valueAsNumber))
   })
