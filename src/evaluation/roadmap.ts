@@ -14,8 +14,8 @@ export function roadmapSection(evidence: Evidence): Section {
   const rows = select(evidence, 'probabilistic-roadmap')
   const [{ points }] = roadmapBySamples(rows)
   const [few, many] = [points[0], points[points.length - 1]]
-  const isRising = (valueOf: (point: SamplesPoint) => number) =>
-    points.every((point, i) => i === 0 || valueOf(point) > valueOf(points[i - 1]))
+  const isRising = (numberOf: (point: SamplesPoint) => number) =>
+    points.every((point, i) => i === 0 || numberOf(point) > numberOf(points[i - 1]))
   const finds = isRising(({ success }) => success.rate) && isRising(optimalShare)
   const slows = isRising((point) => point.milliseconds.median)
   const asReported = rows.filter(({ params, width }) => params.samples === width)
