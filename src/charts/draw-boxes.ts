@@ -16,17 +16,19 @@ export function boxesOptions(chart: BoxesChart, { theme, isShown }: Drawing): Pl
   const name = (mark: Box) => series[mark.series].name
   const hidden = { ariaHidden: 'true' }
   return {
-    height: shown.length * ROW_HEIGHT + 56,
+    height: shown.length * ROW_HEIGHT + 64,
     marginLeft: 8,
     marginRight: 16,
     marginTop: 12,
-    x: { type: 'log', domain: [1, Math.max(1.1, ...shown.map(({ high }) => high))], nice: true },
+    marginBottom: 46,
+    x: { type: 'log', domain: [1, 1.02 * Math.max(1.1, ...shown.map(({ high }) => high))] },
     y: { axis: null, domain: shown.map(name) },
     marks: [
       Plot.gridX({ stroke: theme.faint, strokeOpacity: 0.5, ...hidden }),
       Plot.axisX({
         label: x.label,
         labelAnchor: 'center',
+        labelOffset: 40,
         labelArrow: 'none',
         ticks: 6,
         tickFormat: String,

@@ -20,7 +20,7 @@ export function cellsOptions(chart: CellsChart, { isShown }: Drawing): Plot.Plot
     height: names.length * (rows * 34 + 30) + 60,
     marginLeft: 56,
     marginTop: 30,
-    marginBottom: 44,
+    marginBottom: 46,
     // The same colours in both themes: dark blue for none, yellow for all; safe for all eyes.
     color: { scheme: 'Cividis', domain: [0, 1] },
     x: { type: 'band', padding: 0.04 },
@@ -30,6 +30,7 @@ export function cellsOptions(chart: CellsChart, { isShown }: Drawing): Plot.Plot
       Plot.axisX({
         label: x.label,
         labelAnchor: 'center',
+        labelOffset: 36,
         labelArrow: 'none',
         tickSize: 0,
         ...hidden,

@@ -25,16 +25,21 @@ export function linesOptions(chart: LinesChart, { theme, isShown }: Drawing): Pl
       ariaHidden: 'true',
     })
   })
+  const frame = frameOf(shown)
   const intervals = { x: 'x', y1: 'low', y2: 'high', stroke: colour, ariaHidden: 'true' }
   return {
     height: 380,
+    marginTop: 34,
     marginLeft: 52,
     marginRight: 16,
+    marginBottom: 46,
+    insetLeft: 10,
+    insetRight: 10,
     x: scaleOf(chart.x),
-    y: scaleOf(chart.y),
+    y: scaleOf(chart.y, frame),
     marks: [
-      ...axes(chart, theme.faint),
-      Plot.ruleX(shown, { ...intervals, strokeWidth: 1.25, strokeOpacity: 0.8 }),
+      ...axes(chart, frame, theme.faint),
+      Plot.ruleX(shown, { ...intervals, strokeWidth: 1.25, strokeOpacity: 0.8, clip: true }),
       ...lines,
       Plot.dot(shown, {
         ...asButtons(shown, marks),
@@ -50,22 +55,53 @@ export function linesOptions(chart: LinesChart, { theme, isShown }: Drawing): Pl
   }
 }
 
-function axes({ x, y, marks }: LinesChart, faint: string): Plot.Markish[] {
-  const places = [...new Set(marks.map((mark) => mark.x))]
-  // On a logarithmic axis only a few of what was run would fall on its own ticks.
-  const ticks = x.scale === 'log' && places.length < 9 ? { ticks: places } : {}
+/** What the marks need of a logarithmic axis: intervals may begin at nearly nothing, and are cut off. */
+function frameOf(marks: readonly Mark[]): Range {
+  if (marks.length === 0) return [1, 10]
+  const least = Math.min(...marks.map(({ y }) => y))
+  const greatest = Math.max(...marks.map(({ high }) => high))
+  return [least / 2, greatest * 1.3]
+}
+
+function axes({ x, y, marks }: LinesChart, frame: Range, faint: string): Plot.Markish[] {
   const hidden = { ariaHidden: 'true' }
+  const axisX = {
+    label: x.label,
+    labelAnchor: 'center',
+    labelOffset: 40,
+    labelArrow: 'none',
+  } as const
+  const axisY = { label: y.label, labelArrow: 'none', ...hidden } as const
+  const grid = { stroke: faint, strokeOpacity: 0.5, ...hidden }
+  // What was run has its own ticks; of a logarithmic axis' few would fall there.
+  const places = [...new Set(marks.map((mark) => mark.x))]
+  const decades = y.scale === 'log' ? decadesIn(frame) : []
   return [
-    Plot.gridY({ stroke: faint, strokeOpacity: 0.5, ...hidden }),
-    Plot.axisX({ label: x.label, labelAnchor: 'center', labelArrow: 'none', ...ticks, ...hidden }),
-    Plot.axisY({ label: y.label, labelArrow: 'none', ...ticksOf(y), ...hidden }),
+    x.scale === 'log' && places.length < 9
+      ? Plot.axisX(places, { ...axisX, text: String, ...hidden })
+      : Plot.axisX({ ...axisX, ...hidden }),
+    ...(y.scale === 'log'
+      ? [Plot.gridY(decades, grid), Plot.axisY(decades, { ...axisY, text: String })]
+      : [
+          Plot.gridY(grid),
+          Plot.axisY({ ...axisY, ...(y.scale === 'percent' && { tickFormat: wholePercent }) }),
+        ]),
   ]
 }
 
-const ticksOf = ({ scale }: Axis): Plot.AxisYOptions =>
-  scale === 'percent' ? { tickFormat: (share: number) => `${Math.round(100 * share)} %` } : {}
+type Range = readonly [least: number, greatest: number]
 
-function scaleOf({ scale }: Axis): Plot.ScaleOptions {
+const wholePercent = (share: number): string => `${Math.round(100 * share)} %`
+
+/** The powers of ten in a range, without the noise of their reckoning. */
+function decadesIn([least, greatest]: Range): number[] {
+  const first = Math.ceil(Math.log10(least))
+  const last = Math.floor(Math.log10(greatest))
+  return Array.from({ length: last - first + 1 }, (_, i) => Number(`1e${first + i}`))
+}
+
+function scaleOf({ scale }: Axis, frame?: Range): Plot.ScaleOptions {
   if (scale === 'percent') return { domain: [0, 1] }
-  return scale === 'log' ? { type: 'log', nice: true } : { nice: true }
+  if (scale === 'linear') return { nice: true }
+  return { type: 'log', ...(frame ? { domain: frame } : {}) }
 }

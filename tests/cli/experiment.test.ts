@@ -31,7 +31,9 @@ describe('the rows are the same', () => {
   test('in one run and merged from four shards, named in any order', () => {
     const settings = settingsFile('small.json')
     for (const index of [1, 2, 3, 4]) {
-      expect(run(settings, '--shard', `${index}/4`, '--out', `${index}.jsonl`).status).toBe(0)
+      expect(
+        run(settings, '--shard', `${index}/4`, '--workers', '1', '--out', `${index}.jsonl`).status,
+      ).toBe(0)
     }
     const files = ['3.jsonl', '1.jsonl', '4.jsonl', '2.jsonl']
     expect(run('--merge', ...files, '--out', 'merged.jsonl')).toMatchObject({ status: 0 })
@@ -100,7 +102,7 @@ describe('an output file with something else in it is refused and left as it is'
 
 describe('shards are only merged', () => {
   const shard = (part: string, name: string, fields: object = {}) => {
-    run(settingsFile('part.json', fields), '--shard', part, '--out', name)
+    run(settingsFile('part.json', fields), '--shard', part, '--workers', '1', '--out', name)
     return name
   }
   const fault = (...files: string[]) => {

@@ -3,14 +3,18 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { build } from 'vite'
-import { afterAll, beforeAll } from 'vitest'
+import { afterAll, beforeAll, vi } from 'vitest'
 import { SMALL } from '../experiments/settings'
 
 /** A folder for the program, built as `npm run build` does it, and for the files of the tests. */
 export const folder = mkdtempSync(join(tmpdir(), 'path-planner-'))
 export const pathOf = (name: string): string => join(folder, name)
 
+/** Programs take their time to start on a busy machine. */
+const PATIENCE_MS = 5 * 60_000
+
 export function useProgram(): void {
+  vi.setConfig({ testTimeout: PATIENCE_MS, hookTimeout: PATIENCE_MS })
   beforeAll(async () => {
     const outDir = pathOf('dist-lib')
     await build({ configFile: 'vite.lib.config.ts', logLevel: 'error', build: { outDir } })

@@ -40,6 +40,17 @@ test('the committed settings ask for at least 10,000 maps, some of 40 × 40', ()
   expect(committed.sizes).toContainEqual([40, 40])
 })
 
+test('the committed page is about these settings, and its drawings are there', () => {
+  const page = readFileSync('docs/evaluation.md', 'utf8')
+  const { maps, runs } = countWork(committed)
+  expect(page).toContain(`**Maps**: ${maps.toLocaleString('en')};`)
+  expect(page).toContain(`**Runs**: ${runs.toLocaleString('en')}.`)
+  expect(page).toContain(`Seed ${committed.seed}, diagonal rule`)
+  const shown = [...page.matchAll(/\]\((evaluation\/[a-z-]+\.svg)\)/g)].map(([, path]) => path)
+  expect(shown).toHaveLength(figures.length)
+  for (const path of shown) expect(readFileSync(`docs/${path}`, 'utf8')).toContain('</svg>')
+})
+
 test('every claim has a section, and every drawing is shown', () => {
   expect(markdown.match(/^## /gm)).toHaveLength(10)
   expect(markdown.match(/^> /gm)).toHaveLength(9)

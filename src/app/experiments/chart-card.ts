@@ -1,11 +1,11 @@
 import type { Chart, Mark } from '../../charts/chart'
 import { type Drawing, drawChart } from '../../charts/draw'
-import { drawSwatch } from '../../charts/legend'
 import { MARK_ATTRIBUTE } from '../../charts/marks'
 import { drawStandalone } from '../../charts/save'
 import { download } from '../download'
 import { create } from '../element'
 import { icon } from '../icons'
+import { Legend } from './legend'
 
 export interface ChartEvents {
   /** A mark was pressed. */
@@ -27,7 +27,7 @@ const REACH = 22
 /** A chart with its title, its legend, the same as a table, and a way to save it. */
 export function chartCard(chart: Chart, note: string, events: ChartEvents): ChartCard {
   const frame = create('div', { class: 'chart-frame' })
-  const legend = create('div', { class: 'legend', role: 'group', 'aria-label': 'Series on show' })
+  const legend = new Legend(chart, events.toggled)
   const title = create('h3', { id: `chart-${chart.id}` }, chart.title)
   const head = create('header', { class: 'pane-head' }, title)
   const element = create('section', { class: 'chart', 'aria-labelledby': title.id }, head)
@@ -46,7 +46,7 @@ export function chartCard(chart: Chart, note: string, events: ChartEvents): Char
     download(text, 'image/svg+xml', `path-planner-${chart.id}.svg`)
   })
   head.append(save)
-  element.append(frame, legend, tableOf(chart))
+  element.append(frame, legend.element, tableOf(chart))
   bindMarks(frame, chart.marks, events.opened)
 
   return {
@@ -58,7 +58,7 @@ export function chartCard(chart: Chart, note: string, events: ChartEvents): Char
       const picture = drawChart(chart, drawing)
       frame.replaceChildren(picture)
       makeReachable(frame, focused)
-      fillLegend(legend, chart, drawing, events)
+      legend.show(drawing)
     },
   }
 }
@@ -136,31 +136,6 @@ function nearestMark(frame: Element, x: number, y: number): Element | null {
     nearest = element
   }
   return nearest
-}
-
-function fillLegend(
-  legend: HTMLElement,
-  chart: Chart,
-  { theme, isShown }: Drawing,
-  { toggled }: ChartEvents,
-): void {
-  if (chart.series.length < 2) return
-  const focused = document.activeElement?.getAttribute('data-series')
-  const isInside = legend.contains(document.activeElement)
-  const items = chart.series.map((series) => {
-    const button = create('button', {
-      type: 'button',
-      class: 'legend-item',
-      'aria-pressed': String(isShown(series.name)),
-      'data-series': series.name,
-    })
-    if (chart.kind === 'lines') button.append(drawSwatch(series, theme))
-    button.append(create('span', {}, series.name))
-    button.addEventListener('click', () => toggled(series.name))
-    return button
-  })
-  legend.replaceChildren(...items)
-  if (isInside) items.find((item) => item.dataset.series === focused)?.focus()
 }
 
 function tableOf({ table: { columns, rows }, title }: Chart): HTMLElement {

@@ -1,7 +1,6 @@
 import type { RunList } from '../../charts/chart'
 import type { Row } from '../../experiments/row'
 import type { ExperimentSettings } from '../../experiments/settings'
-import { settingName } from '../../experiments/settings'
 import { dialog } from '../dialogs/dialog'
 import { byId, create, setText } from '../element'
 import { addressOf } from './open-in-playground'
@@ -56,12 +55,6 @@ function itemOf(settings: ExperimentSettings, row: Row): HTMLElement {
     'Open in the playground',
     create('span', { class: 'visually-hidden' }, `, ${name}`),
   )
-  const words = create(
-    'span',
-    {},
-    create('strong', {}, name),
-    create('br'),
-    `${settingName(row)}: ${runInWords(row)}`,
-  )
+  const words = create('span', {}, create('strong', {}, name), create('br'), runInWords(row))
   return create('li', {}, words, link)
 }

@@ -4,7 +4,10 @@ import {
   type ExperimentSettings,
   GIVEN_MAPS,
   type GivenMap,
+  plannerSettings,
+  settingName,
 } from '../../experiments/settings'
+import { groupBy } from '../../experiments/summary/groups'
 import { durationInWords } from '../../experiments/time-left'
 import { type Draft, draftOf, type Entry, type List, newEntry } from './draft'
 import { checkDraft } from './faults'
@@ -92,9 +95,22 @@ export function showResults(state: PageState, results: Results): PageState {
     ...state,
     run: { kind: 'idle' },
     shown: { results, maps, total },
-    hidden: new Set(),
+    hidden: namesLeftOut(results.settings),
     said: text,
   }
+}
+
+/** More lines than these nobody can follow. */
+const MOST_SERIES = 14
+
+/** Where there are too many, planners with many settings begin with their first only. */
+function namesLeftOut(settings: ExperimentSettings): ReadonlySet<string> {
+  const all = plannerSettings(settings)
+  if (all.length <= MOST_SERIES) return new Set()
+  const left = [...groupBy(all, ({ planner }) => planner).values()].flatMap((own) =>
+    own.length > 2 ? own.slice(1) : [],
+  )
+  return new Set(left.map(settingName))
 }
 
 /** A run that ended before its first map leaves the results of the one before. */

@@ -1,0 +1,169 @@
+import { openResults } from '../../src/experiments/open-results'
+import type { Row } from '../../src/experiments/row'
+import { runMap } from '../../src/experiments/run-map'
+import { countWork } from '../../src/experiments/settings'
+import { readSettings } from '../../src/experiments/settings-check'
+import { ExperimentsPage, SMALL } from '../experiments'
+import { expect, test } from '../fixtures'
+
+const timeless = (rows: readonly Row[]) => rows.map(({ milliseconds: _, ...row }) => row)
+
+test('the same settings give the same rows in the browser and in Node', async ({ page }) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  await experiments.run(SMALL)
+  const maps = Array.from({ length: countWork(SMALL).maps }, (_, map) => map)
+  const expected = timeless(maps.flatMap((map) => runMap(SMALL, map)))
+  for (const kind of ['CSV', 'JSON']) {
+    const results = openResults(await experiments.downloaded(`Rows as ${kind}`))
+    expect(results.settings).toEqual(SMALL)
+    expect(timeless(results.rows)).toEqual(expected)
+  }
+})
+
+test('a run that is cancelled keeps its first maps, and they can be looked at', async ({
+  page,
+}) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  const many = { ...SMALL, mapsPerCombination: 3000 }
+  await experiments.openFile('many.json', JSON.stringify(many))
+  await page.getByRole('button', { name: 'Run', exact: true }).click()
+  const bar = page.getByRole('progressbar', { name: 'Maps done' })
+  await expect(bar).toBeVisible()
+  await expect(page.getByText(/^[1-9][\d,]* of 21,000 maps, .* left$/)).toBeVisible()
+  const cancel = page.getByRole('button', { name: 'Cancel' })
+  await cancel.click()
+  await expect(page.getByText(/^The first [\d,]+ of 21,000 maps, .* runs, seed 3\.$/)).toBeVisible()
+  await expect(bar).toBeHidden()
+  await experiments.chartsDrawn()
+  const { rows } = openResults(await experiments.downloaded('Rows as JSON'))
+  const done = rows.length / countWork(many).settings
+  expect(Number.isInteger(done)).toBe(true)
+  expect(timeless(rows.slice(0, 20))).toEqual(
+    timeless([0, 1, 2].flatMap((map) => runMap(many, map))).slice(0, 20),
+  )
+})
+
+test('a mark opens the runs that failed, and a run the playground where it failed', async ({
+  page,
+}) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  await experiments.run(SMALL)
+  await page
+    .getByRole('button', {
+      name: /^Potential field \(influence 1, repulsiveValue 30\), density 35 %/,
+    })
+    .click()
+  const dialog = page.getByRole('dialog', { name: 'Runs' })
+  await expect(dialog.getByRole('heading', { name: /^Failed: [1-9]/ })).toBeVisible()
+  const item = dialog.getByRole('listitem').first()
+  const cells = /local minimum after (\d+) cells/.exec(await item.innerText())?.[1]
+  const [playground] = await Promise.all([
+    page.waitForEvent('popup'),
+    item.getByRole('link', { name: 'Open in the playground' }).click(),
+  ])
+  await expect(playground.locator('#map')).toHaveAttribute('data-status', 'local-minimum')
+  await expect(playground.getByRole('combobox', { name: 'Planner' })).toHaveValue('potential-field')
+  await expect(playground.getByLabel('Repulsive value')).toHaveValue('30')
+  await expect(playground.locator('#result-numbers')).toContainText(`${cells} cells`)
+  await playground.close()
+})
+
+test('the keyboard goes through the marks of a chart and opens them', async ({ page }) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  await experiments.run(SMALL)
+  const marks = page.locator('#charts [data-mark]')
+  await marks.first().focus()
+  await page.keyboard.press('ArrowRight')
+  await page.keyboard.press('ArrowRight')
+  const name = await page.evaluate(() => document.activeElement?.getAttribute('aria-label'))
+  expect(name).toBe(await marks.nth(2).getAttribute('aria-label'))
+  await page.keyboard.press('Enter')
+  await expect(page.getByRole('dialog', { name: 'Runs' })).toContainText(String(name))
+  await page.keyboard.press('Escape')
+  await expect(marks.nth(2)).toBeFocused()
+})
+
+test('a wrong field is named where it stands, and nothing is run', async ({ page }) => {
+  await new ExperimentsPage(page).open()
+  await page.locator('summary', { hasText: 'Probabilistic roadmap' }).click()
+  const samples = page.getByLabel('Samples')
+  await samples.fill('20, many')
+  await expect(samples).toHaveAttribute('aria-invalid', 'true')
+  await expect(page.getByText(/"many" is no number/)).toBeVisible()
+  await page.getByRole('button', { name: 'Run', exact: true }).click()
+  await expect(samples).toBeFocused()
+  await expect(page.getByRole('progressbar')).toBeHidden()
+  await samples.fill('20, 40')
+  await expect(samples).not.toHaveAttribute('aria-invalid', 'true')
+  await expect(page.getByText('200 maps × 11 planner settings = 2,200 runs')).toBeVisible()
+})
+
+test('settings are saved and opened again; a file that is broken changes nothing', async ({
+  page,
+}) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  await experiments.openFile('mine.json', JSON.stringify(SMALL))
+  await expect(page.getByText('42 maps × 9 planner settings = 378 runs')).toBeVisible()
+  await experiments.openFile('broken.json', JSON.stringify({ ...SMALL, seed: 'x' }))
+  await expect(page.getByText(/broken\.json was not opened\. seed: must be/)).toBeVisible()
+  expect(readSettings(await experiments.downloaded('Save'))).toEqual(SMALL)
+})
+
+test('maps from files are a family of their own', async ({ page }) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  await experiments.openFile('own.txt', 'S..\n.#.\n..G\n', '#map-files')
+  await expect(page.getByText('own.txt, 3 × 3')).toBeVisible()
+  await experiments.openFile('bad.txt', 'S?\n.G\n', '#map-files')
+  await expect(page.getByText(/bad\.txt was not opened/)).toBeVisible()
+  await page.getByLabel('Least distance').fill('2')
+  await expect(page.getByText('220 maps × 13 planner settings')).toBeVisible()
+})
+
+test('the library of the charts is loaded with the first results, not before', async ({ page }) => {
+  const loaded: string[] = []
+  page.on('request', (request) => loaded.push(request.url()))
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  const isCharts = (url: string) => url.includes('charts-panel')
+  expect(loaded.some(isCharts)).toBe(false)
+  await experiments.run(SMALL)
+  expect(loaded.some(isCharts)).toBe(true)
+})
+
+test('charts are saved as pictures that stand alone', async ({ page }) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  await experiments.run(SMALL)
+  const svg = await experiments.downloaded('Save “Success over density” as SVG')
+  const isWellFormed = await page.evaluate(
+    (text) =>
+      new DOMParser().parseFromString(text, 'image/svg+xml').querySelector('parsererror') === null,
+    svg,
+  )
+  expect(isWellFormed).toBe(true)
+  expect(svg).toContain('Bug2 (leave closer)')
+  expect(svg).toContain('seed 3')
+})
+
+test('a link that is broken is refused, and what was drawn stays', async ({ page, map }) => {
+  await expect(map.element).toHaveAttribute('data-status', 'reached')
+  const before = await map.view()
+  await page.goto('index.html#setup=nonsense')
+  await expect(page.getByRole('alert')).toContainText('The link was not opened. It is damaged')
+  expect(await map.view()).toEqual(before)
+  expect(new URL(page.url()).hash).toBe('')
+})
+
+test('the two pages lead to each other', async ({ page }) => {
+  await page.getByRole('button', { name: 'Map', exact: true }).click()
+  await page.getByRole('menuitem', { name: 'Experiments' }).click()
+  await expect(page.getByRole('heading', { name: 'Experiments' })).toBeVisible()
+  await page.getByRole('link', { name: 'Playground' }).click()
+  await expect(page.locator('#map')).toBeVisible()
+})

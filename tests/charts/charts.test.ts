@@ -1,0 +1,145 @@
+import { describe, expect, it } from 'vitest'
+import { presets } from '../../src/app/experiments/presets'
+import { chartsOf } from '../../src/charts/charts'
+import { chartThemes, seriesStyle } from '../../src/charts/style'
+import { runMap } from '../../src/experiments/run-map'
+import { countWork, type ExperimentSettings } from '../../src/experiments/settings'
+
+const settings: ExperimentSettings = {
+  ...presets[0].settings,
+  families: [{ family: 'random', params: { density: [10, 35] } }],
+  sizes: [
+    [10, 10],
+    [16, 16],
+  ],
+  leastDistance: 4,
+  mapsPerCombination: 5,
+  planners: [
+    { planner: 'decomposition', params: {} },
+    { planner: 'probabilistic-roadmap', params: { samples: [5, 20] } },
+    { planner: 'potential-field', params: { influence: [0, 1], repulsiveValue: [3, 30] } },
+  ],
+}
+const rows = Array.from({ length: countWork(settings).maps }, (_, map) =>
+  runMap(settings, map),
+).flat()
+const charts = chartsOf(settings, rows)
+const chart = (id: string) => {
+  const found = charts.find((one) => one.id === id)
+  if (!found) throw new Error(`no chart ${id}`)
+  return found
+}
+const possible = rows.filter(({ reachable }) => reachable)
+
+describe('every chart', () => {
+  it.each(charts.map((one) => [one.id, one] as const))(
+    '%s says in words and in a table what its marks show',
+    (_, { marks, summary, series, table, missing }) => {
+      expect(missing).toBe('')
+      expect(summary).not.toMatch(/NaN|undefined/)
+      expect(marks.length).toBeGreaterThan(1)
+      for (const mark of marks) {
+        expect(mark.label).not.toMatch(/NaN|undefined/)
+        expect(series[mark.series]).toBeDefined()
+        expect([mark.x, mark.y, mark.low, mark.high].every(Number.isFinite)).toBe(true)
+        expect(mark.runs.length).toBeGreaterThan(0)
+      }
+      expect(new Set(marks.map(({ label }) => label)).size).toBe(marks.length)
+      for (const line of table.rows) expect(line).toHaveLength(table.columns.length)
+    },
+  )
+
+  it('says what is missing where there is nothing to draw', () => {
+    const one = rows.filter(
+      ({ planner, density, width }) => planner === 'decomposition' && density < 20 && width === 10,
+    )
+    const missing = chartsOf(settings, one).map((chart) => chart.missing !== '')
+    expect(missing).toEqual([true, false, true, true, true])
+    for (const chart of chartsOf(settings, [])) expect(chart.missing).not.toBe('')
+  })
+})
+
+describe('the marks', () => {
+  it('of success over density have the runs that failed behind them', () => {
+    for (const { x, series, y, runs } of chart('success').marks) {
+      const own = possible.filter(
+        ({ mapParams, setting }) => mapParams.density === x && setting === series,
+      )
+      const failed = own.filter(({ status }) => status !== 'reached')
+      expect(runs).toEqual([{ title: 'Failed', rows: failed }])
+      expect(y).toBeCloseTo(1 - failed.length / own.length)
+    }
+  })
+
+  it('of samples count roadmaps only', () => {
+    for (const { x, runs } of chart('samples').marks) {
+      const failed = possible.filter(
+        ({ planner, params, status }) =>
+          planner === 'probabilistic-roadmap' && params.samples === x && status !== 'reached',
+      )
+      expect(runs[0].rows).toEqual(failed)
+    }
+  })
+
+  it('of the heat map stand for one influence and one repulsive value each', () => {
+    const { marks } = chart('field')
+    expect(marks).toHaveLength(4)
+    for (const { x, y, runs } of marks) {
+      const failed = possible.filter(
+        ({ params, status }) =>
+          params.influence === x && params.repulsiveValue === y && status !== 'reached',
+      )
+      expect(runs[0].rows).toEqual(failed)
+    }
+  })
+
+  it('of the ratio have the longest detours behind them, longest first', () => {
+    for (const { runs, series } of chart('ratio').marks) {
+      const ratios = runs[0].rows.map(({ ratio }) => ratio ?? 0)
+      expect(ratios).toEqual([...ratios].sort((a, b) => b - a))
+      const detours = rows.filter(({ ratio, setting }) => (ratio ?? 0) > 1 && setting === series)
+      expect(ratios).toHaveLength(Math.min(50, detours.length))
+    }
+  })
+
+  it('of time lie above zero, where a logarithmic axis has them, even if no clock ticked', () => {
+    const still = rows.map((row) => ({ ...row, milliseconds: 0 }))
+    for (const one of chartsOf(settings, still)) {
+      if (one.id !== 'time') continue
+      expect(one.marks).toHaveLength(2 * countWork(settings).settings)
+      for (const { y, low, high } of one.marks) expect(Math.min(y, low, high)).toBeGreaterThan(0)
+    }
+  })
+})
+
+/** Contrast of two colours, after WCAG 2.2. */
+function contrast(a: string, b: string): number {
+  const luminance = (colour: string) => {
+    const [red, green, blue] = [1, 3, 5].map((i) => {
+      const value = Number.parseInt(colour.slice(i, i + 2), 16) / 255
+      return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4
+    })
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+  }
+  const [low, high] = [luminance(a), luminance(b)].sort((x, y) => x - y)
+  return (high + 0.05) / (low + 0.05)
+}
+
+describe('the styles', () => {
+  it.each(Object.entries(chartThemes))('of the %s theme stand out on its surface', (_, theme) => {
+    for (const colour of theme.series) {
+      expect(contrast(colour, theme.surface)).toBeGreaterThanOrEqual(3)
+    }
+    expect(contrast(theme.ink, theme.surface)).toBeGreaterThanOrEqual(7)
+  })
+
+  it('differ for 280 series, and between neighbours in colour, symbol and line', () => {
+    const styles = Array.from({ length: 280 }, (_, i) => seriesStyle(chartThemes.dark, i))
+    expect(new Set(styles.map((style) => JSON.stringify(style))).size).toBe(280)
+    styles.slice(1).forEach((style, i) => {
+      expect(style.colour).not.toBe(styles[i].colour)
+      expect(style.symbol).not.toBe(styles[i].symbol)
+      expect(style.dash).not.toBe(styles[i].dash)
+    })
+  })
+})
