@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import { withCells } from '../../src/grid/grid'
+import { pathStyles } from '../../src/render/path-styles'
 import { Picture } from '../../src/render/picture'
 import type { Scene } from '../../src/render/scene'
 import { themes } from '../../src/render/theme'
@@ -112,6 +113,18 @@ describe('a picture redraws only what has changed', () => {
     expect(drawn(() => picture.draw(other, view))).toEqual(['marks'])
   })
 
+  it('the compared paths if one comes or goes', () => {
+    const scene = sceneOf(problem)
+    const picture = pictureOf(scene)
+    const comparison = [{ path: [0, 1, 2], style: pathStyles[0] }]
+    const compared = { ...scene, comparison }
+    expect(drawn(() => picture.draw(compared, view))).toEqual(['comparison'])
+    expect(drawn(() => picture.draw({ ...compared, comparison: [...comparison] }, view))).toEqual(
+      [],
+    )
+    expect(drawn(() => picture.draw(scene, view))).toEqual(['comparison'])
+  })
+
   it('the cells if one is edited', () => {
     const scene = sceneOf(problem)
     const picture = pictureOf(scene)
@@ -164,7 +177,7 @@ describe('a picture redraws only what has changed', () => {
     expect(drawn(() => picture.draw(scene, { ...view, left: 11 }))).toEqual(all)
     const light = { ...scene, theme: themes.light }
     const moved = { ...view, left: 11 }
-    expect(drawn(() => picture.draw(light, moved))).toEqual(['ground', 'image', ...all.slice(1)])
+    expect(drawn(() => picture.draw(light, moved))).toEqual([...all, 'image'].toSorted())
     picture.resize(300, 300, 1)
     expect(drawn(() => picture.draw(light, moved))).toEqual(all)
   })

@@ -88,9 +88,10 @@ export const COLUMNS: readonly Column[] = [
   numeric('Walked', 'Steps of the path, or of the way so far', (plan) => ofPath(plan, plan.walked)),
   numeric(
     'At most',
-    'Steps, by the bounds of Lumelsky and Stepanov',
+    'Steps, by the bounds of Lumelsky and Stepanov; with † not promised',
     (plan) => orNone(plan.bound),
-    (bound) => `≤ ${numberInWords(bound)}`,
+    (bound, { isBoundHeld }) =>
+      isBoundHeld ? `≤ ${numberInWords(bound)}` : `${numberInWords(bound)}†`,
   ),
   {
     title: 'Time',

@@ -1,6 +1,7 @@
 import { completeParams, type ParamSettings } from '../../algorithms/params'
 import { plan } from '../../algorithms/plan'
 import type { AnyPlanner } from '../../algorithms/planner'
+import { bug2Bound } from '../../experiments/bounds'
 import { boundOf, type Optimum, ratioToOptimum } from '../../experiments/run-map'
 import type { Status } from '../../trace/events'
 import type { Setup } from '../setup'
@@ -30,8 +31,10 @@ export interface ComparedPlan {
   /** Cost over the optimum under the planner's own rule; `null` unless the goal was reached. */
   readonly ratio: number | null
   readonly ratioBy: 'cells' | 'length'
-  /** Steps that Bug1, or Bug2 with `closer`, walks at most; `null` for the others. */
+  /** Lumelsky and Stepanov's bound on the steps of Bug1 and Bug2; `null` for the others. */
   readonly bound: number | null
+  /** Whether that is promised: of Bug2 with `closer` only. */
+  readonly isBoundHeld: boolean
   /** How long this one run took. */
   readonly milliseconds: number
 }
@@ -69,6 +72,7 @@ const NOTHING = {
   ratio: null,
   ratioBy: 'cells',
   bound: null,
+  isBoundHeld: false,
   milliseconds: 0,
 } as const
 
@@ -79,6 +83,7 @@ function reportOf(subject: Subject, planner: AnyPlanner, optimum: Optimum): Comp
   const outcome = runPlanner(subject, planner)
   const milliseconds = performance.now() - began
   const { status, reason, path, measure, expanded, sensed } = outcome
+  const promised = boundOf(problem, planner.id, params)
   const byLength = params.cost === 'euclidean'
   return {
     plannerId: planner.id,
@@ -90,7 +95,8 @@ function reportOf(subject: Subject, planner: AnyPlanner, optimum: Optimum): Comp
     walked: Math.max(0, path.length - 1),
     ratio: ratioToOptimum(outcome, byLength, optimum),
     ratioBy: byLength ? 'length' : 'cells',
-    bound: boundOf(problem, planner.id, params),
+    bound: promised ?? (planner.id === 'bug2' ? bug2Bound(problem).steps : null),
+    isBoundHeld: promised !== null,
     milliseconds,
   }
 }

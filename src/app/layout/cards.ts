@@ -14,6 +14,9 @@ const HEADER = 48
 const LEAST_HEIGHT = 160
 const EDGE = 12
 
+/** In the header, and not to drag by. */
+const CONTROLS = '[data-fold], [data-close]'
+
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowLeft: [-1, 0],
   ArrowRight: [1, 0],
@@ -103,7 +106,7 @@ export class Cards {
   #dragBy(grip: HTMLElement, card: HTMLElement): void {
     let last: { x: number; y: number } | null = null
     grip.addEventListener('pointerdown', (event) => {
-      const control = event.target instanceof Element && event.target.closest('[data-fold]')
+      const control = event.target instanceof Element && event.target.closest(CONTROLS)
       if (control || event.button !== 0 || this.#narrow.matches) return
       last = { x: event.clientX, y: event.clientY }
       grip.setPointerCapture(event.pointerId)
@@ -120,7 +123,7 @@ export class Cards {
     grip.addEventListener('pointerup', end)
     grip.addEventListener('pointercancel', end)
     grip.addEventListener('dblclick', (event) => {
-      if (event.target instanceof Element && event.target.closest('[data-fold]')) return
+      if (event.target instanceof Element && event.target.closest(CONTROLS)) return
       this.#putBack(card)
       this.#changed(true)
     })

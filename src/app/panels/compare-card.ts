@@ -1,4 +1,5 @@
-import { plannerById } from '../../algorithms/plan'
+import type { AnyPlanner } from '../../algorithms/planner'
+import { planners } from '../../algorithms/planners'
 import { COLUMNS, type SortOrder, sortEntries } from '../compare/columns'
 import { isSameSubject } from '../compare/compared'
 import { styleOf } from '../compare/paths'
@@ -61,13 +62,13 @@ interface Line {
 class ComparisonTable {
   readonly #body = create('tbody')
   readonly #heads: readonly HTMLElement[]
-  readonly #toggle: (plannerId: string) => void
-  readonly #lines = new Map<string, Line>()
+  /** By planner; there from the beginning, so that the card has its height at once. */
+  readonly #lines: ReadonlyMap<string, Line>
   #order: SortOrder | null = null
   #entries: readonly ComparisonEntry[] = []
 
   constructor(table: HTMLTableElement, toggle: (plannerId: string) => void) {
-    this.#toggle = toggle
+    this.#lines = new Map(planners.map((planner) => [planner.id, lineOf(planner, toggle)]))
     this.#heads = COLUMNS.map(({ title, help }, column) => {
       const button = create('button', { type: 'button', title: help }, title)
       button.addEventListener('click', () => this.#sortBy(column))
@@ -82,15 +83,14 @@ class ComparisonTable {
 
   show({ entries, hidden }: Comparison, isCurrent: (entry: ComparisonEntry) => boolean): void {
     this.#entries = entries
-    for (const entry of entries) {
-      const { plannerId, reason } = entry.plan
-      const { row, box } = this.#lineOf(plannerId)
-      box.checked = !hidden.includes(plannerId)
-      row.setAttribute('aria-busy', String(!isCurrent(entry)))
+    for (const [id, { row, box }] of this.#lines) {
+      const entry = entries.find(({ plan }) => plan.plannerId === id)
+      box.checked = !hidden.includes(id)
+      row.setAttribute('aria-busy', String(!entry || !isCurrent(entry)))
       COLUMNS.slice(1).forEach((column, i) => {
-        setText(row.cells[i + 1], column.show(entry))
+        setText(row.cells[i + 1], entry ? column.show(entry) : '…')
       })
-      row.cells[1].title = reason
+      row.cells[1].title = entry?.plan.reason ?? ''
     }
     this.#arrange()
   }
@@ -107,27 +107,23 @@ class ComparisonTable {
   }
 
   #arrange(): void {
-    const sorted = sortEntries(this.#entries, this.#order)
-    const rows = sorted.map(({ plan }) => this.#lineOf(plan.plannerId).row)
+    const sorted = sortEntries(this.#entries, this.#order).map(({ plan }) => plan.plannerId)
+    const ids = new Set([...sorted, ...this.#lines.keys()])
+    const rows = [...ids].flatMap((id) => this.#lines.get(id)?.row ?? [])
     const isArranged =
       rows.length === this.#body.rows.length && rows.every((row, i) => row === this.#body.rows[i])
     // What is moved in the page would lose the focus.
     if (!isArranged) this.#body.replaceChildren(...rows)
   }
+}
 
-  #lineOf(plannerId: string): Line {
-    const known = this.#lines.get(plannerId)
-    if (known) return known
-    const box = create('input', { type: 'checkbox', id: `compare-${plannerId}` })
-    box.addEventListener('change', () => this.#toggle(plannerId))
-    const { title } = plannerById(plannerId)
-    const label = create('label', { for: box.id }, swatch(plannerId), title)
-    const row = create('tr', {}, create('th', { scope: 'row' }, create('div', {}, box, label)))
-    for (let i = 1; i < COLUMNS.length; i++) row.append(create('td'))
-    const line = { row, box }
-    this.#lines.set(plannerId, line)
-    return line
-  }
+function lineOf({ id, title }: AnyPlanner, toggle: (plannerId: string) => void): Line {
+  const box = create('input', { type: 'checkbox', id: `compare-${id}` })
+  box.addEventListener('change', () => toggle(id))
+  const label = create('label', { for: box.id }, swatch(id), title)
+  const row = create('tr', {}, create('th', { scope: 'row' }, create('div', {}, box, label)))
+  for (let i = 1; i < COLUMNS.length; i++) row.append(create('td'))
+  return { row, box }
 }
 
 const SVG = 'http://www.w3.org/2000/svg'

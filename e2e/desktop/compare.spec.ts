@@ -1,0 +1,108 @@
+import type { Locator, Page } from '@playwright/test'
+import { plan, planners, problemFromText } from '../../src/index'
+import { pathStyles } from '../../src/render/path-styles'
+import { expectAccessible } from '../accessibility'
+import { expectSaid, openMap } from '../actions'
+import { expect, test } from '../fixtures'
+
+const MAP = `
+..............
+..S...........
+.......##.....
+.......##.....
+..#######.....
+.......##.....
+...........G..
+..............
+`.trim()
+
+const card = (page: Page) => page.getByRole('region', { name: 'Comparison of planners' })
+const lineOf = (page: Page, title: string): Locator =>
+  card(page)
+    .getByRole('row')
+    .filter({ has: page.getByRole('checkbox', { name: title, exact: true }) })
+
+async function compare(page: Page): Promise<void> {
+  await openMap(page, MAP)
+  await page.getByRole('button', { name: 'Compare planners' }).click()
+  await expectSaid(page, /^Compared: \d of 8 planners reach the goal; .+\.$/)
+}
+
+/** The cells of a row that do not depend on the clock. */
+function numbersOf(text: string, id: string): string[] {
+  const { measure, path } = plan(problemFromText(text), id)
+  if (path.length === 0) return ['–', '–', '–', '–']
+  const { cells, length, turns } = measure
+  return [String(cells), length.toFixed(2), String(turns), String(cells - 1)]
+}
+
+async function expectTable(page: Page, text: string): Promise<void> {
+  for (const { id, title } of planners) {
+    const cells = lineOf(page, title).getByRole('cell')
+    const read = async () => {
+      const texts = await cells.allTextContents()
+      return [texts[1], texts[2], texts[4], texts[6]]
+    }
+    await expect.poll(read, { message: title }).toEqual(numbersOf(text, id))
+    await expect(cells.last()).toHaveText(/^\d[\d.]* (µs|ms)$/)
+  }
+}
+
+test('one press tells of every planner what plan() tells', async ({ page }) => {
+  await compare(page)
+  await expect(page.getByRole('button', { name: 'Compare planners' })).toHaveAttribute(
+    'aria-pressed',
+    'true',
+  )
+  await expectTable(page, MAP)
+  await expect(lineOf(page, 'Grid decomposition').getByRole('cell').nth(3)).toHaveText('1.00')
+  await expect(lineOf(page, 'Bug1').getByRole('cell').nth(7)).toHaveText(/^≤ \d+$/)
+  await expect(card(page).getByText('Algorithmica 2, 1987')).toBeAttached()
+  await expectAccessible(page)
+})
+
+test('the table is sorted by its heads, with the keyboard too', async ({ page }) => {
+  await compare(page)
+  const head = card(page).getByRole('columnheader', { name: 'Cells' })
+  const cells = async () => {
+    const texts = await card(page).locator('tbody td:nth-child(3)').allTextContents()
+    return texts.filter((text) => text !== '–').map(Number)
+  }
+  await head.getByRole('button').focus()
+  await page.keyboard.press('Enter')
+  await expect(head).toHaveAttribute('aria-sort', 'ascending')
+  const ascending = await cells()
+  expect(ascending).toEqual(ascending.toSorted((a, b) => a - b))
+  await page.keyboard.press('Enter')
+  await expect(head).toHaveAttribute('aria-sort', 'descending')
+  expect(await cells()).toEqual(ascending.toReversed())
+})
+
+test('a path is drawn in its colour, hidden and shown by its row', async ({ map, page }) => {
+  await compare(page)
+  const { path } = plan(problemFromText(MAP), 'decomposition')
+  const middle = path[Math.floor(path.length / 2)]
+  const place = [middle % 14, Math.floor(middle / 14)] as const
+  const { dark } = pathStyles[0].colour
+  const isDrawn = async () => (await map.coloursIn(...place)).has(dark)
+  await expect.poll(isDrawn).toBe(true)
+  const box = page.getByRole('checkbox', { name: 'Grid decomposition', exact: true })
+  await box.uncheck()
+  await expect.poll(isDrawn).toBe(false)
+  await box.press('Space')
+  await expect(box).toBeChecked()
+  await expect.poll(isDrawn).toBe(true)
+})
+
+test('an edit updates the table, and the comparison ends', async ({ map, page }) => {
+  await compare(page)
+  await map.click([10, 1])
+  await map.click([10, 5])
+  const rows = MAP.split('\n').map((row, y) =>
+    y === 1 || y === 5 ? `${row.slice(0, 10)}#${row.slice(11)}` : row,
+  )
+  await expectTable(page, rows.join('\n'))
+  await page.getByRole('button', { name: 'End the comparison' }).click()
+  await expect(card(page)).toBeHidden()
+  await expect(page.getByRole('button', { name: 'Compare planners' })).toBeFocused()
+})
