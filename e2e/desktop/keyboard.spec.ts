@@ -34,7 +34,7 @@ test('a whole session without a mouse', async ({ map, page }) => {
   await page.keyboard.press('Enter')
   await expect(page.getByRole('menuitem', { name: 'New…' })).toBeFocused()
   await page.keyboard.press('ArrowUp')
-  await expect(page.getByRole('menuitem', { name: 'Clear path' })).toBeFocused()
+  await expect(page.getByRole('menuitem', { name: /^Experiments/ })).toBeFocused()
   await page.keyboard.press('Home')
   await page.keyboard.press('Enter')
   const dialog = page.getByRole('dialog', { name: 'New map' })
