@@ -1,5 +1,6 @@
 import { InputError } from '../grid/errors'
 import { openMap } from '../grid/formats/open-map'
+import { onFileDropped } from './drop-zone'
 import { byId } from './element'
 import type { State } from './state'
 import type { Store } from './store'
@@ -42,20 +43,6 @@ export function bindFiles(store: Store<State>): () => void {
     // The same file can be chosen again.
     input.value = ''
   })
-  const hasFile = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false
-  window.addEventListener('dragover', (event) => {
-    if (!hasFile(event)) return
-    event.preventDefault()
-    zone.hidden = false
-  })
-  window.addEventListener('dragleave', (event) => {
-    if (event.relatedTarget === null) zone.hidden = true
-  })
-  window.addEventListener('drop', (event) => {
-    if (!hasFile(event)) return
-    event.preventDefault()
-    zone.hidden = true
-    open(event.dataTransfer?.files[0])
-  })
+  onFileDropped(zone, open)
   return () => input.click()
 }

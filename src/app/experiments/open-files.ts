@@ -5,6 +5,7 @@ import { readSettings } from '../../experiments/settings-check'
 import { InputError } from '../../grid/errors'
 import { openMap } from '../../grid/formats/open-map'
 import { gridToRows } from '../../grid/text-map'
+import { onFileDropped } from '../drop-zone'
 import { byId } from '../element'
 import type { Store } from '../store'
 import { tell } from '../telling'
@@ -73,21 +74,6 @@ export function bindFiles(store: Store<PageState>): { open(): void; openMaps(): 
     void openMaps(store, [...(mapInput.files ?? [])])
     mapInput.value = ''
   })
-  const hasFile = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false
-  window.addEventListener('dragover', (event) => {
-    if (!hasFile(event)) return
-    event.preventDefault()
-    zone.hidden = false
-  })
-  window.addEventListener('dragleave', (event) => {
-    if (event.relatedTarget === null) zone.hidden = true
-  })
-  window.addEventListener('drop', (event) => {
-    if (!hasFile(event)) return
-    event.preventDefault()
-    zone.hidden = true
-    const file = event.dataTransfer?.files[0]
-    if (file) void openFile(store, file)
-  })
+  onFileDropped(zone, (file) => void openFile(store, file))
   return { open: () => input.click(), openMaps: () => mapInput.click() }
 }
