@@ -16,14 +16,18 @@ import { drawRims } from './layers/rims'
 import { drawVertices } from './layers/roadmap'
 import { drawRoute } from './layers/route'
 import { drawRover, drawSensedSquare, headingOf } from './layers/rover'
-import { drawRowDots } from './layers/row-dots'
+import { DOTS_FROM, drawRowDots } from './layers/row-dots'
 import { drawTangentGraph } from './layers/tangent-graph'
 import { drawTarget } from './layers/target'
 import { drawLatestEdge, drawRefusal } from './layers/tried-edges'
 import type { Pen } from './pen'
-import type { Placement } from './placement'
+import { cellsAreAtLeast, type Placement } from './placement'
 import { planOnMap, type Scene, sightOf } from './scene'
 import type { Theme } from './theme'
+import { LINES_FROM } from './view'
+
+/** Smaller cells have their colour and nothing else. */
+const DETAILS_FROM = Math.min(DOTS_FROM, LINES_FROM)
 
 /** What lies directly upon the cells. @param range that of the field on show; `null` if none is */
 export function drawGround(
@@ -32,6 +36,7 @@ export function drawGround(
   scene: Scene,
   range: FieldRange | null,
 ): void {
+  if (!cellsAreAtLeast(place, DETAILS_FROM)) return
   const { theme, problem } = scene
   const frame = planOnMap(scene)?.frame
   const sight = sightOf(scene)
