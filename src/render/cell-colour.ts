@@ -1,4 +1,4 @@
-import { KNOWN, SEARCH } from '../trace/frame'
+import { FELT_BIT, KNOWN, KNOWN_BITS, KNOWN_SHIFT, SEARCH, SEARCH_BITS } from '../trace/frame'
 import { pixelOf, rgbOf } from './colour'
 import { heatColours } from './heat'
 import type { Sight } from './scene'
@@ -43,31 +43,32 @@ const STATES = 64
  * All that the colour of a cell without heat depends on, as one number: a map has millions of cells
  * to look up.
  * @param wall 1 for an obstacle
- * @param search one of SEARCH
- * @param known one of KNOWN
- * @param felt 1 if the rover felt it
+ * @param cell its byte in a frame
  */
-export function stateOf(wall: number, search: number, known: number, felt: number): number {
-  return wall | (search << 1) | (known << 3) | (felt << 5)
-}
+export const stateOf = (wall: number, cell: number): number => wall | (cell << 1)
 
 export function cellColours(theme: Theme, sight: Sight): CellColours {
   const palette = cellPalette(theme)
   const plain = Uint32Array.from({ length: STATES }, (_, state) => {
-    const [search, known, felt] = [(state >> 1) & 3, (state >> 3) & 3, state >> 5]
-    return isShownObstacle(sight, state & 1, known, felt)
-      ? obstacleColour(palette, sight, known, felt)
-      : freeColour(palette, sight, known, search)
+    const [wall, cell] = [state & 1, state >> 1]
+    const known = (cell & KNOWN_BITS) >> KNOWN_SHIFT
+    return isShownObstacle(sight, wall, cell)
+      ? obstacleColour(palette, sight, known, (cell & FELT_BIT) !== 0)
+      : freeColour(palette, sight, known, cell & SEARCH_BITS)
   })
   return { plain, heat: Uint32Array.from(heatColours(theme), pixelOf) }
 }
 
-/** Whether a cell looks like an obstacle: it is one, and known if only what is known is shown. */
-export function isShownObstacle(sight: Sight, wall: number, known: number, felt: number): boolean {
-  return wall === 1 && (sight !== 'known' || known === KNOWN.obstacle || felt === 1)
+/**
+ * Whether a cell looks like an obstacle: it is one, and known if only what is known is shown.
+ * @param cell its byte in a frame
+ */
+export function isShownObstacle(sight: Sight, wall: number, cell: number): boolean {
+  const isKnown = (cell & KNOWN_BITS) >> KNOWN_SHIFT === KNOWN.obstacle || (cell & FELT_BIT) !== 0
+  return wall === 1 && (sight !== 'known' || isKnown)
 }
 
-function obstacleColour(palette: CellPalette, sight: Sight, known: number, felt: number): number {
+function obstacleColour(palette: CellPalette, sight: Sight, known: number, felt: boolean): number {
   if (felt) return palette.feltObstacle
   const isVeiled = sight !== 'world' && known !== KNOWN.obstacle
   return isVeiled ? palette.unsensedObstacle : palette.obstacle

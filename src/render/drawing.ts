@@ -1,6 +1,6 @@
 import type { Cell } from '../grid/grid'
 import { EVENT } from '../trace/events'
-import { type Frame, KNOWN } from '../trace/frame'
+import { type Frame, KNOWN, knownOf } from '../trace/frame'
 import type { FieldRange } from './heat'
 import { knownGrid } from './known-obstacles'
 import { drawHits, drawLeaves } from './layers/boundary-points'
@@ -40,12 +40,13 @@ export function drawGround(
   const { theme, problem } = scene
   const frame = planOnMap(scene)?.frame
   const sight = sightOf(scene)
-  const isVeiled = (cell: Cell) => sight !== 'world' && frame?.known[cell] !== KNOWN.obstacle
+  const isVeiled = (cell: Cell) =>
+    sight !== 'world' && frame !== undefined && knownOf(frame, cell) !== KNOWN.obstacle
   const grid = frame && sight === 'known' ? knownGrid(problem.grid, frame, place) : problem.grid
   drawLines(pen, place, theme)
   drawRims(pen, place, grid, (cell) => (isVeiled(cell) ? theme.unsensedRim : theme.rim))
   if (!frame) return
-  drawFelt(pen, place, theme, grid, frame.felt)
+  drawFelt(pen, place, theme, grid, frame)
   drawRowDots(pen, place, theme, grid, dottedRows(scene))
   const field = frame.field && frame.fields[frame.field]
   if (field && range) drawPotentials(pen, place, theme, grid, field, range)

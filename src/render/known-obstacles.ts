@@ -4,8 +4,8 @@ import { isShownObstacle } from './cell-colour'
 import type { Placement } from './placement'
 
 /** Whether the rover knows the obstacle in a cell: its sensor saw it, or the rover felt it. */
-export function isKnownObstacle(walls: Uint8Array, { known, felt }: Frame, cell: Cell): boolean {
-  return isShownObstacle('known', walls[cell], known[cell], felt[cell])
+export function isKnownObstacle(walls: Uint8Array, { cells }: Frame, cell: Cell): boolean {
+  return isShownObstacle('known', walls[cell], cells[cell])
 }
 
 /** The map with the obstacles that the rover knows and no others, as far as it is on the screen. */

@@ -22,13 +22,12 @@ export interface CellStates {
 function cellPixel(states: CellStates, cell: Cell): number {
   const { walls, frame, sight, fieldRange, colours } = states
   if (!frame) return colours.plain[walls[cell]]
-  const [wall, known, felt] = [walls[cell], frame.known[cell], frame.felt[cell]]
   const field = frame.field && frame.fields[frame.field]
-  if (field && fieldRange && !isShownObstacle(sight, wall, known, felt)) {
+  if (field && fieldRange && !isShownObstacle(sight, walls[cell], frame.cells[cell])) {
     const level = heatLevel(fieldRange, field[cell])
     if (level >= 0) return colours.heat[level]
   }
-  return colours.plain[stateOf(wall, frame.search[cell], known, felt)]
+  return colours.plain[stateOf(walls[cell], frame.cells[cell])]
 }
 
 /** Paints every cell of a box, one pixel each. */
@@ -44,9 +43,9 @@ export function paintBox(pixels: Uint32Array, states: CellStates, box: Box): voi
     } else if (hasHeat) {
       for (let cell = from; cell < to; cell++) pixels[cell] = cellPixel(states, cell)
     } else {
-      const { search, known, felt } = frame
+      const { cells } = frame
       for (let cell = from; cell < to; cell++) {
-        pixels[cell] = plain[stateOf(walls[cell], search[cell], known[cell], felt[cell])]
+        pixels[cell] = plain[stateOf(walls[cell], cells[cell])]
       }
     }
   }

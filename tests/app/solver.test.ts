@@ -1,4 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest'
+import { scoreOf } from '../../src/app/score'
 import { PATIENCE_MS, Solver, type WorkerLike } from '../../src/app/solver'
 import type { WorkerAnswer, WorkerQuestion } from '../../src/app/worker-protocol'
 import { planned, setupFrom } from './setups'
@@ -18,8 +19,9 @@ class FakeWorker implements WorkerLike {
   /** Answers the latest question. */
   finish(): void {
     const { id } = this.questions[this.questions.length - 1]
-    const { outcome, tape, last, milliseconds } = planned(base)
-    this.say({ kind: 'planned', id, outcome, tape, last, milliseconds })
+    const { outcome, tape, last, checkpoints, milliseconds } = planned(base)
+    const score = scoreOf(tape)
+    this.say({ kind: 'planned', id, outcome, tape, last, checkpoints, score, milliseconds })
   }
   say(answer: WorkerAnswer): void {
     this.onmessage?.({ data: answer })

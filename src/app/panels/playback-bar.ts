@@ -1,3 +1,4 @@
+import { placeAfter } from '../../trace/landmarks'
 import { cellFactsInWords, cellInWords } from '../cell-line'
 import { byId, create, setText } from '../element'
 import { type IconName, setIcon } from '../icons'
@@ -94,6 +95,19 @@ export function playbackBar(store: Store<State>): (state: State, moment: Moment 
     ticked = score
   }
 
+  // It is asked for far more often than it changes, and a long tape takes a while to be read.
+  let toldOf: readonly unknown[] = []
+  const showCell = (state: State, moment: Moment | null): void => {
+    const { problem } = state.setup
+    const { start, goal, grid } = problem
+    const asked = cellAskedAbout(state)
+    const wall = grid.walls[asked]
+    const now = [asked, start, goal, grid.width, wall, moment?.shown, moment?.frame.time]
+    if (now.every((part, i) => part === toldOf[i])) return
+    toldOf = now
+    setText(cell, cellLine(state, moment))
+  }
+
   return (state, moment) => {
     const { setup, committed, playing, preferences } = state
     for (const button of buttons) button.setAttribute('aria-disabled', String(!moment))
@@ -105,7 +119,7 @@ export function playbackBar(store: Store<State>): (state: State, moment: Moment 
     speed.value = String(preferences.speed)
     sight.value = preferences.sight
     sightField.hidden = plannerOf(setup).family !== 'online'
-    setText(cell, cellLine(state, moment))
+    showCell(state, moment)
   }
 }
 
@@ -124,9 +138,8 @@ const MOST_TICKS = 200
 function showTicks(ticks: HTMLElement, { steps, landmarks }: Score): void {
   const last = Math.max(1, steps.length - 1)
   const places = new Set<number>()
-  let step = 0
   for (const moment of landmarks) {
-    while (steps[step] < moment) step++
+    const step = placeAfter(steps, moment) - 1
     places.add(Math.round((step / last) * MOST_TICKS) / MOST_TICKS)
   }
   ticks.replaceChildren(
