@@ -30,7 +30,7 @@ const searchParam = {
   kind: 'choice',
   choices: ['dijkstra', 'a-star', 'jump-point'],
   default: 'dijkstra',
-  help: "dijkstra: nearest to the start first (the report's); a-star: also counts what is left to the goal at least; jump-point: a-star that jumps to where a path may turn. The same cost, fewer and fewer cells.",
+  help: 'dijkstra: the report’s, by the cost so far; a-star: by that plus the least cost of what is left; jump-point: a-star over the cells where a path may turn. The same cost, with fewer expanded.',
 } as const satisfies Param
 
 export const decomposition = offlinePlanner({
@@ -41,7 +41,7 @@ export const decomposition = offlinePlanner({
   promise: 'Complete and optimal: the least cost there is, or a proof that no path exists.',
   complete: () => true,
   optimal: () => true,
-  params: [costParam, searchParam],
+  params: [searchParam, costParam],
   phases: ['Decompose the map into cells', 'Search', 'Path'],
   variables: ['least cost of a path over this cell'],
   pseudocode: text,
