@@ -38,16 +38,31 @@ const isSameSize = (before: Painted, now: Painted): boolean =>
 /** More events than this, for each cell, and it is quicker to paint the map than each event. */
 const MOST_EVENTS = 0.25
 
-/** Whether `now` differs from `before` only by a few later events and edited walls. */
-function onlyAdds(before: Painted, now: Painted): boolean {
-  return (
-    now.theme === before.theme &&
-    now.tape === before.tape &&
-    now.time >= before.time &&
-    now.time - before.time <= Math.max(1024, MOST_EVENTS * now.width * now.height) &&
-    now.sight === before.sight &&
-    now.field === before.field
-  )
+/** Some events of a tape, up to `to`. */
+interface Stretch {
+  readonly tape: TapeColumns
+  readonly from: number
+  readonly to: number
+}
+
+/**
+ * The events whose cells may look different now, apart from edited walls: those that came or were
+ * taken back on the same tape, all of both if another plan has come. `null` if that cannot be said,
+ * or if they are too many.
+ */
+function eventsBetween(before: Painted, now: Painted): readonly Stretch[] | null {
+  const isSameKind =
+    now.theme === before.theme && now.sight === before.sight && now.field === before.field
+  const [from, to] = [Math.min(before.time, now.time), Math.max(before.time, now.time)]
+  const stretches =
+    now.tape === before.tape
+      ? [{ tape: now.tape, from, to }]
+      : [before, now].map(({ tape, time }) => ({ tape, from: 0, to: time }))
+  // Each field has colours of its own on each tape.
+  if (!isSameKind || (now.field && now.tape !== before.tape)) return null
+  const count = stretches.reduce((sum, stretch) => sum + stretch.to - stretch.from, 0)
+  if (count > Math.max(1024, MOST_EVENTS * now.width * now.height)) return null
+  return stretches.flatMap(({ tape, ...rest }) => (tape ? [{ tape, ...rest }] : []))
 }
 
 /** How an image is brought up to date a part at a time. */
@@ -129,9 +144,10 @@ export class CellImage {
       const y = (cell - x) / now.width
       this.#fresh[tileAt(this.#tiling, x, y)].include(x, y)
     }
-    if (!onlyAdds(before, now)) this.#allAreLate()
-    else if (now.tape) {
-      paintEvents(this.pixels, states, now.tape, before.time, now.time, painted)
+    const stretches = eventsBetween(before, now)
+    if (!stretches) this.#allAreLate()
+    for (const { tape, from, to } of stretches ?? []) {
+      paintEvents(this.pixels, states, tape, from, to, painted)
     }
     if (now.walls !== before.walls) paintEdits(this.pixels, states, before.walls, painted)
   }

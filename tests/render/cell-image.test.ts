@@ -81,7 +81,7 @@ describe('painting only what is new', () => {
     const third = tape.cells[search + 2]
     const [x, y] = [third % 20, Math.floor(third / 20)]
     expect(at(search + 3)).toMatchObject([{ left: x, top: y, right: x + 1, bottom: y + 1 }])
-    expect(at(search + 1)).toMatchObject([{ left: 0, top: 0, right: 20, bottom: 10 }])
+    expect(at(search + 2)).toMatchObject([{ left: x, top: y, right: x + 1, bottom: y + 1 }])
   })
 
   it('paints an edit where it was made', () => {
