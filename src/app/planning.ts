@@ -47,6 +47,7 @@ export function planningFor(
   }
   store.subscribe((now, before) => {
     if (now.setup !== before.setup) ask()
+    if (now.committed !== before.committed) solver.editEnded()
   })
   return {
     ask,

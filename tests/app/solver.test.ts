@@ -104,6 +104,22 @@ describe('the solver', () => {
     expect(asked()).toEqual([2])
   })
 
+  it('gives up later and later while an edit goes on, and soon again when it has ended', () => {
+    const edits = (milliseconds: number) => {
+      for (let i = 0; i < milliseconds; i += 10) {
+        now += 10
+        solver.ask(request(1))
+      }
+    }
+    edits(100 + 200 + 400 + 40)
+    expect(workers.length).toBe(4)
+    edits(740)
+    expect(workers.length).toBe(4)
+    solver.editEnded()
+    expect(workers.length).toBe(5)
+    expect(asked()).toEqual([1])
+  })
+
   it('never gives up a long run that nobody overtakes', () => {
     solver.ask(request(1))
     now += 60_000
