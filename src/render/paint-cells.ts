@@ -1,3 +1,4 @@
+import { editedCells } from '../grid/edits'
 import type { Cell } from '../grid/grid'
 import { EVENT } from '../trace/events'
 import type { Frame } from '../trace/frame'
@@ -85,22 +86,10 @@ export function paintEdits(
   before: Uint8Array,
   painted: (cell: Cell) => void,
 ): void {
-  forEachDifference(before, states.walls, (cell) => {
+  const { walls } = states
+  for (const cell of editedCells(before, walls)) {
+    if (walls[cell] === before[cell]) continue
     pixels[cell] = cellPixel(states, cell)
     painted(cell)
-  })
-}
-
-/** Four cells are compared at a time: a stroke changes a few of millions, in every frame anew. */
-function forEachDifference(a: Uint8Array, b: Uint8Array, tell: (cell: Cell) => void): void {
-  const canAlign = a.byteOffset % 4 === 0 && b.byteOffset % 4 === 0
-  const words = canAlign ? a.length >> 2 : 0
-  const [as, bs] = [a, b].map(({ buffer, byteOffset }) =>
-    words > 0 ? new Int32Array(buffer, byteOffset, words) : new Int32Array(0),
-  )
-  for (let i = 0; i < words; i++) {
-    if (as[i] === bs[i]) continue
-    for (let cell = 4 * i; cell < 4 * i + 4; cell++) if (a[cell] !== b[cell]) tell(cell)
   }
-  for (let cell = 4 * words; cell < a.length; cell++) if (a[cell] !== b[cell]) tell(cell)
 }
