@@ -1,6 +1,9 @@
 import type { Cell } from '../grid/grid'
 import type { EventKind } from './events'
 
+/** What a long tape leaves out: nothing; small events, all along; these, and what came at its end. */
+export type Thinning = 'whole' | 'thinned' | 'cut'
+
 /** The columns of a tape, one entry an event; the arrays may be longer than `length`. */
 export interface TapeColumns {
   /** Size of the map in cells. */
@@ -13,6 +16,7 @@ export interface TapeColumns {
   readonly cells: Int32Array
   readonly others: Int32Array
   readonly values: Float64Array
+  readonly thinning: Thinning
 }
 
 /**
@@ -28,6 +32,7 @@ export class Tape implements TapeColumns {
   cells = new Int32Array(1024)
   others = new Int32Array(1024)
   values = new Float64Array(1024)
+  thinning: Thinning = 'whole'
   /** Where the planner is in its pseudocode; every event is stamped with it. */
   line = 0
 
@@ -42,6 +47,7 @@ export class Tape implements TapeColumns {
     this.height = height
     this.length = 0
     this.line = 0
+    this.thinning = 'whole'
   }
 
   /** The cell at (x, y); -1 outside the map. */
@@ -69,11 +75,12 @@ export class Tape implements TapeColumns {
 
   /** The columns without the room kept for more, and the buffers to transfer with them. */
   release(): { columns: TapeColumns; buffers: ArrayBuffer[] } {
-    const { width, height, length } = this
+    const { width, height, length, thinning } = this
     const columns = {
       width,
       height,
       length,
+      thinning,
       kinds: this.kinds.slice(0, length),
       lines: this.lines.slice(0, length),
       cells: this.cells.slice(0, length),

@@ -10,6 +10,7 @@ import { isFast, SPEEDS, speedInWords } from '../speeds'
 import { cellAskedAbout, type State, visiblePlan } from '../state'
 import { stepInWords } from '../steps-in-words'
 import type { Store } from '../store'
+import { leftOut } from '../thinning'
 import { prefer, say } from '../transitions'
 import {
   chooseSpeed,
@@ -89,7 +90,9 @@ export function playbackBar(store: Store<State>): (state: State, moment: Moment 
     scrubber.value = String(step)
     const why = isFast(state.playing) ? '' : `: ${stepInWords(moment)}`
     scrubber.setAttribute('aria-valuetext', `step ${step} of ${steps}${why}`)
-    setText(count, `Step ${step} of ${steps}`)
+    const { briefly, words } = leftOut(moment.shown.tape.thinning)
+    setText(count, `Step ${step} of ${steps}${briefly}`)
+    count.title = words
     const score = scoreOf(moment.shown.tape)
     if (score !== ticked) showTicks(ticks, score)
     ticked = score
