@@ -4,7 +4,7 @@ import type { Problem } from '../grid/problem'
 import { simplestPath } from '../grid/simplest-path'
 import { EVENT, type Status } from '../trace/events'
 import type { Tape } from '../trace/tape'
-import { type Cost, costOfRank, simplestPathRanks } from './costs'
+import { type Cost, costOfWeight, simplestPathWeights } from './costs'
 import type { Answer } from './planner'
 import { pseudocode } from './pseudocode'
 import { recordEdges } from './roadmap-edges'
@@ -78,25 +78,27 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
     recordEdges(roadmap, problem, cost, tape.at(lines.edges), (done) => progress(recording * done))
   }
   tape?.at(lines.open).write(EVENT.phase, -1, 2)
-  const rankOf = simplestPathRanks(cost, width)
-  const leftFrom = (cell: Cell) => (search === 'a-star' ? rankOf(cell, problem.goal) : 0)
+  const weigh = simplestPathWeights(cost, width)
+  const leftFrom = (cell: Cell) => (search === 'a-star' ? weigh(cell, problem.goal) : 0)
   const start = vertices.indexOf(problem.start)
   const goal = vertices.indexOf(problem.goal)
-  const ranks = new Float64Array(vertices.length).fill(Number.POSITIVE_INFINITY)
+  const weights = new Float64Array(vertices.length).fill(Number.POSITIVE_INFINITY)
   const parents = new Int32Array(vertices.length).fill(-1)
   /** Whether the simplest path from the parent is the free one, or else the one to it. */
   const outwards = new Uint8Array(vertices.length)
   const closed = new Uint8Array(vertices.length)
   const edges = roomForEdges(roadmap)
   const queue = new FlatQueue<number>()
-  ranks[start] = 0
+  weights[start] = 0
   queue.push(start, 0)
   tape?.write(EVENT.open, problem.start)
   let expanded = 0
   for (let vertex = queue.pop(); vertex !== undefined; vertex = queue.pop()) {
     if (closed[vertex]) continue
     closed[vertex] = 1
-    tape?.at(lines.close).write(EVENT.close, vertices[vertex], -1, costOfRank(cost, ranks[vertex]))
+    tape
+      ?.at(lines.close)
+      .write(EVENT.close, vertices[vertex], -1, costOfWeight(cost, weights[vertex]))
     if (++expanded % 256 === 0) {
       progress(recording + ((1 - recording) * expanded) / vertices.length)
     }
@@ -110,15 +112,15 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
     for (let i = 0; i < count; i++) {
       const other = otherEnd(edges[i])
       if (closed[other]) continue
-      const next = ranks[vertex] + rankOf(vertices[vertex], vertices[other])
-      if (next >= ranks[other]) continue
-      ranks[other] = next
+      const next = weights[vertex] + weigh(vertices[vertex], vertices[other])
+      if (next >= weights[other]) continue
+      weights[other] = next
       parents[other] = vertex
       outwards[other] = edges[i] & 1
       queue.push(other, next + leftFrom(vertices[other]))
       tape
         ?.at(lines.open)
-        .write(EVENT.open, vertices[other], vertices[vertex], costOfRank(cost, next))
+        .write(EVENT.open, vertices[other], vertices[vertex], costOfWeight(cost, next))
     }
   }
   tape?.at(lines.none)

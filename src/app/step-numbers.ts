@@ -27,6 +27,8 @@ export function stepNumbers({ shown, frame }: Moment): Row[] {
     row('Boundary', frame.following ? `on the ${side}` : 'not followed')
   }
   variables.forEach((name, i) => {
+    // Not every way to plan decides by all of them.
+    if (last.values[i] === undefined) return
     const value = frame.values[i]
     const label = `${name.charAt(0).toUpperCase()}${name.slice(1)}`
     // A variable's own name, such as d_reach, stays as the pseudocode writes it.

@@ -57,7 +57,7 @@ export function explain(
         ? `Start at ${name(cell)} with cost ${number(value)}.`
         : `${name(cell)} gets a shorter way, over ${name(other)}: cost ${number(value)}.`
     case EVENT.close:
-      return `${name(cell)} has the least cost of all open ones, ${number(value)}: its shortest path is final.`
+      return `Of all open ones ${name(cell)} comes first, with cost ${number(value)}: its shortest path is final.`
     case EVENT.path:
       return `The parents lead back from the goal: a path of ${count(frame.path.length, 'cell')}.`
     case EVENT.attraction:

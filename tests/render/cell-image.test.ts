@@ -58,7 +58,7 @@ describe('the colour of a cell', () => {
     const search = tape.kinds.indexOf(EVENT.open)
     expect(at(search)).toEqual(at(0))
     expect(at(search + 5)).toEqual(['cco....', '#####.#', '.......'])
-    expect(at(tape.length)[2]).toBe('....ccc')
+    expect(at(tape.length)[2]).toBe('....coo')
   })
 
   it('tells what the rover has sensed, what it has felt, and what it does not know', () => {
