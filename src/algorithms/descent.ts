@@ -1,6 +1,5 @@
 import { directionOf, stepOffsets } from '../grid/directions'
 import { type Cell, cellName } from '../grid/grid'
-import { allLegalSteps } from '../grid/legal-steps'
 import type { Problem } from '../grid/problem'
 import { legalSteps, obstaclesAround } from '../grid/steps'
 import { EVENT, type EventKind } from '../trace/events'
