@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url'
 
 const root = fileURLToPath(new URL('..', import.meta.url))
 const code = readdirSync(join(root, 'src', 'app'), { recursive: true, encoding: 'utf8' })
-  .filter((path) => path.endsWith('.ts'))
+  .filter((path) => /\.(ts|html)$/.test(path))
   .map((path) => join('src', 'app', path))
 const texts = ['index.html', 'experiments.html', ...code].map((path) =>
   readFileSync(join(root, path), 'utf8'),
