@@ -31,6 +31,7 @@ export class Stage {
   #rendered: State | null = null
   #layout: 'measured' | 'grown' | 'rearranged' = 'rearranged'
   #isRequested = false
+  #isOpen = false
 
   constructor(store: Store<State>, map: HTMLElement, tick: () => void) {
     this.#store = store
@@ -44,14 +45,16 @@ export class Stage {
       this.#request()
     })
     store.subscribe(() => {
+      if (!this.#isOpen) return
       this.#describe()
       this.#request()
     })
   }
 
-  /** The first frame comes next. */
+  /** The first frame comes next; there is none before. */
   open(panels: readonly Panel[]): void {
     this.#panels = panels
+    this.#isOpen = true
     this.#resize()
   }
 
@@ -69,7 +72,7 @@ export class Stage {
   }
 
   #request(): void {
-    if (this.#isRequested) return
+    if (this.#isRequested || !this.#isOpen) return
     this.#isRequested = true
     requestAnimationFrame((now) => this.#draw(now))
   }
