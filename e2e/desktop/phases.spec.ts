@@ -58,7 +58,7 @@ test('Grid decomposition: the graph row by row, the search, the path', async ({ 
   await press(page, 'ArrowRight')
   await expectReason(page, 'Start at (0, 3) with cost 0.')
   await expect(stepNumber(page, 'Open')).toHaveText('1')
-  const closed = await stepUntil(page, /has the least cost of all open ones, [1-9]/)
+  const closed = await stepUntil(page, /comes first, with cost [1-9]/)
   await map.expectColour(cellsIn(closed)[0], theme.cell.closed)
   const opened = await stepUntil(page, /gets a shorter way/)
   await map.expectColour(cellsIn(opened)[0], theme.cell.open)

@@ -1,7 +1,7 @@
 import { directionOf, stepOffsets } from '../grid/directions'
 import type { Cell } from '../grid/grid'
+import { allLegalSteps } from '../grid/legal-steps'
 import type { Problem } from '../grid/problem'
-import { allLegalSteps } from '../grid/steps'
 
 /** Directions whose cells come later in the map; the opposite ones are asked from the other end. */
 const ONWARD = [2, 3, 4, 5] as const

@@ -13,31 +13,35 @@ export const costParam = {
   help: 'cells: every step costs 1 (Chebyshev); euclidean: a diagonal step costs √2 (octile).',
 } as const satisfies ChoiceParam<'cost', Cost>
 
-const MORE_THAN_ANY_PATH = 2 ** 23
+/**
+ * What a diagonal step weighs, a straight one being 1. With `cells` it is a trifle more than 1, so
+ * that equal paths are told apart by Euclidean length and look straight.
+ *
+ * Both are multiples of 2^-30. So weights of paths on any map are sums without rounding, and the same
+ * steps in another order weigh the same. This √2 is 10^-11 too large: it would take two paths that
+ * differ by more than 100,000 diagonal steps to be taken in by that.
+ */
+export const DIAGONAL_WEIGHT: Record<Cost, number> = {
+  cells: 1 + 2 ** -23,
+  euclidean: Math.round(Math.SQRT2 * 2 ** 30) / 2 ** 30,
+}
+
+/** The cost of a path of that weight. */
+export function costOfWeight(cost: Cost, weight: number): number {
+  return cost === 'cells' ? Math.floor(weight) : weight
+}
 
 /**
- * One number that orders ways of `steps` steps, `diagonals` of them diagonal: by their cost, and
- * with `cells` by Euclidean length among equals, so that paths look straight. Sums of ranks are
- * ranks of sums.
+ * Weighs the simplest path between two cells of a map `width` cells wide. No path weighs less,
+ * whatever the obstacles.
  */
-export function rank(cost: Cost, steps: number, diagonals: number): number {
-  return cost === 'cells'
-    ? steps * MORE_THAN_ANY_PATH + diagonals
-    : steps - diagonals + diagonals * Math.SQRT2
-}
-
-/** The cost that a rank stands for. */
-export function costOfRank(cost: Cost, rank: number): number {
-  return cost === 'cells' ? Math.floor(rank / MORE_THAN_ANY_PATH) : rank
-}
-
-/** Ranks the simplest path between two cells of a map `width` cells wide. */
-export function simplestPathRanks(cost: Cost, width: number): (a: Cell, b: Cell) => number {
+export function simplestPathWeights(cost: Cost, width: number): (a: Cell, b: Cell) => number {
+  const more = DIAGONAL_WEIGHT[cost] - 1
   return (a, b) => {
     const aboveA = Math.floor(a / width)
     const aboveB = Math.floor(b / width)
     const across = Math.abs(a - aboveA * width - (b - aboveB * width))
     const down = Math.abs(aboveA - aboveB)
-    return across > down ? rank(cost, across, down) : rank(cost, down, across)
+    return across > down ? across + more * down : down + more * across
   }
 }

@@ -1,7 +1,7 @@
 import { directionOf, stepOffsets } from '../grid/directions'
 import { type Cell, cellName } from '../grid/grid'
+import { allLegalSteps } from '../grid/legal-steps'
 import type { Problem } from '../grid/problem'
-import { allLegalSteps } from '../grid/steps'
 import { EVENT, type EventKind } from '../trace/events'
 import type { Tape } from '../trace/tape'
 import type { Answer } from './planner'

@@ -1,6 +1,6 @@
 import { InputError } from '../grid/errors'
 import { cellName } from '../grid/grid'
-import { firstIllegalStep, measurePath, type PathMeasure } from '../grid/path'
+import { firstIllegalStep, measurePath, type PathMeasure, stepDirections } from '../grid/path'
 import { checkProblem, type Problem } from '../grid/problem'
 import { randomNumbers } from '../grid/random'
 import { DriveNotes } from '../rover/drive-notes'
@@ -58,9 +58,11 @@ export function plan(problem: Problem, plannerId: string, options: PlanOptions =
   tape?.begin(problem.grid.width, problem.grid.height)
   const context = { params, random: randomNumbers(seed), tape, progress }
   const { sensed, ...answer } = run(problem, planner, context)
-  checkAnswer(problem, planner, params, answer)
+  const { width } = problem.grid
+  const directions = stepDirections(width, answer.path)
+  checkAnswer(problem, planner, params, answer, directions)
   tape?.write(EVENT.end, answer.path.at(-1), STATUSES.indexOf(answer.status))
-  const measure = measurePath(problem.grid.width, answer.path)
+  const measure = measurePath(width, answer.path, directions)
   const steps = Math.max(0, measure.cells - 1)
   return { ...answer, sensed, measure, cost: params.cost === 'euclidean' ? measure.length : steps }
 }
@@ -80,12 +82,18 @@ function run(
 }
 
 /** A planner that answers what is not true has a bug: better no answer than a wrong one. */
-function checkAnswer(problem: Problem, planner: AnyPlanner, params: Values, answer: Answer): void {
+function checkAnswer(
+  problem: Problem,
+  planner: AnyPlanner,
+  params: Values,
+  answer: Answer,
+  directions: Int8Array,
+): void {
   const { path, status } = answer
   const bug = (what: string) => new Error(`Bug in planner ${planner.id}: ${what}.`)
   if (path.length > 0 && path[0] !== problem.start)
     throw bug('the path does not begin at the start')
-  const illegal = firstIllegalStep(problem, path)
+  const illegal = firstIllegalStep(problem, path, directions)
   if (illegal > 0) {
     const { width } = problem.grid
     const step = `${cellName(width, path[illegal - 1])} to ${cellName(width, path[illegal])}`

@@ -6,6 +6,7 @@ import { ClearRuns } from './clear-runs'
 import { costParam } from './costs'
 import { offlinePlanner } from './planner'
 import { edgeTo, type Roadmap, roadmapPhases, roadmapPseudocode, searchRoadmap } from './roadmap'
+import { searchParam } from './search-param'
 
 const { text, line } = roadmapPseudocode({
   vertices: 'random free cells',
@@ -16,7 +17,7 @@ export const probabilisticRoadmap = offlinePlanner({
   id: 'probabilistic-roadmap',
   title: 'Probabilistic roadmap',
   summary:
-    'Random free cells are joined wherever the simplest path between them is free; Dijkstra searches that graph.',
+    'Random free cells are joined wherever the simplest path between them is free; Dijkstra or A* searches that graph.',
   promise:
     'Neither complete nor optimal: with more samples a path is found more often and gets shorter, and the roadmap takes longer to build. The same seed gives the same roadmap.',
   complete: () => false,
@@ -32,6 +33,7 @@ export const probabilisticRoadmap = offlinePlanner({
       default: ({ grid }) => grid.width,
       help: 'Random free cells on the roadmap; as many as the map has columns, if nothing else is said.',
     },
+    searchParam,
     costParam,
   ],
   usesSeed: true,
@@ -51,8 +53,8 @@ export const probabilisticRoadmap = offlinePlanner({
       status: 'not-found',
       reason: 'these samples do not join start and goal; more samples or another seed may',
     } as const
-    const { cost } = params
-    const task = { problem, cost, failure, lines: line, tape, progress }
+    const { cost, search } = params
+    const task = { problem, cost, search, failure, lines: line, tape, progress }
     return searchRoadmap(pairwiseRoadmap(problem, vertices), task)
   },
 })

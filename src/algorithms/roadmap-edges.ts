@@ -1,11 +1,11 @@
 import { stepOffsets } from '../grid/directions'
 import { type Cell, pointOf } from '../grid/grid'
+import { allLegalSteps } from '../grid/legal-steps'
 import type { Problem } from '../grid/problem'
 import { simplestStep } from '../grid/simplest-path'
-import { allLegalSteps } from '../grid/steps'
 import { EVENT } from '../trace/events'
 import type { Tape } from '../trace/tape'
-import { type Cost, costOfRank, simplestPathRanks } from './costs'
+import { type Cost, costOfWeight, simplestPathWeights } from './costs'
 import { isOutward, otherEnd, type Roadmap, roomForEdges } from './roadmap'
 
 /** With more vertices the pairs without an edge are too many to show one by one. */
@@ -36,7 +36,7 @@ export function recordEdges(
   const pairs = new Uint8Array(vertices.length)
   const joined: number[] = []
   const edges = roomForEdges(roadmap)
-  const rankOf = simplestPathRanks(cost, problem.grid.width)
+  const weigh = simplestPathWeights(cost, problem.grid.width)
   tape.write(EVENT.phase, -1, 1)
   const before = tape.length
   for (let vertex = 0; vertex < vertices.length; vertex++) {
@@ -62,7 +62,7 @@ export function recordEdges(
       const to = vertices[other]
       if (pairs[other] === REFUSED) tape.write(EVENT.refuse, from, to, firstRefusal(from, to))
       else {
-        const weight = costOfRank(cost, rankOf(from, to))
+        const weight = costOfWeight(cost, weigh(from, to))
         if (pairs[other] === OUTWARD) tape.write(EVENT.edge, from, to, weight)
         else tape.write(EVENT.edge, to, from, weight)
       }

@@ -4,10 +4,11 @@ import type { Problem } from '../grid/problem'
 import { simplestPath } from '../grid/simplest-path'
 import { EVENT, type Status } from '../trace/events'
 import type { Tape } from '../trace/tape'
-import { type Cost, costOfRank, simplestPathRanks } from './costs'
+import { type Cost, costOfWeight, simplestPathWeights } from './costs'
 import type { Answer } from './planner'
 import { pseudocode } from './pseudocode'
 import { recordEdges } from './roadmap-edges'
+import type { Search } from './search-param'
 
 /** A graph over some of the map's free cells, joined where a simplest path between them is free. */
 export interface Roadmap {
@@ -40,7 +41,8 @@ export function roadmapPseudocode(own: { readonly vertices: string; readonly non
     vertices: `vertices ← start, goal, and ${own.vertices}`,
     edges: 'for each pair of vertices: an edge if a simplest path between them is free',
     open: 'put the start, then each vertex that gets a shorter way, among the open ones',
-    close: 'take the open vertex with the least cost and close it: its way is final',
+    close:
+      'take the open vertex with the least cost (a-star: plus that of its simplest path to the goal) and close it: its way is final',
     found: 'if it is the goal: join the simplest paths from the start to it',
     none: `if no vertex is open: ${own.none}`,
   })
@@ -51,6 +53,7 @@ export const roadmapPhases = ['Find the vertices', 'Try simplest paths', 'Search
 interface Task {
   readonly problem: Problem
   readonly cost: Cost
+  readonly search: Search
   /** What is said if the roadmap does not join start and goal. */
   readonly failure: { readonly status: Status; readonly reason: string }
   readonly lines: RoadmapLines
@@ -59,11 +62,15 @@ interface Task {
 }
 
 /**
- * Dijkstra over a roadmap. An edge weighs what its simplest path costs. Edges are found as the
+ * Dijkstra or A* over a roadmap. An edge weighs what its simplest path costs. Edges are found as the
  * search needs them; only a tape has all of them recorded first, as the report's method does it.
+ *
+ * A* adds the cost of the simplest path to the goal, whatever is in the way. No edge weighs less
+ * than what it takes off that (a simplest path is a shortest one), so a closed vertex is final, and
+ * all that A* closes has less cost than the goal, so that Dijkstra closes it too.
  */
 export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
-  const { problem, cost, failure, lines, tape, progress } = task
+  const { problem, cost, search, failure, lines, tape, progress } = task
   const { vertices } = roadmap
   const { width } = problem.grid
   const recording = tape ? 0.5 : 0
@@ -71,24 +78,27 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
     recordEdges(roadmap, problem, cost, tape.at(lines.edges), (done) => progress(recording * done))
   }
   tape?.at(lines.open).write(EVENT.phase, -1, 2)
-  const rankOf = simplestPathRanks(cost, width)
+  const weigh = simplestPathWeights(cost, width)
+  const leftFrom = (cell: Cell) => (search === 'a-star' ? weigh(cell, problem.goal) : 0)
   const start = vertices.indexOf(problem.start)
   const goal = vertices.indexOf(problem.goal)
-  const ranks = new Float64Array(vertices.length).fill(Number.POSITIVE_INFINITY)
+  const weights = new Float64Array(vertices.length).fill(Number.POSITIVE_INFINITY)
   const parents = new Int32Array(vertices.length).fill(-1)
   /** Whether the simplest path from the parent is the free one, or else the one to it. */
   const outwards = new Uint8Array(vertices.length)
   const closed = new Uint8Array(vertices.length)
   const edges = roomForEdges(roadmap)
   const queue = new FlatQueue<number>()
-  ranks[start] = 0
+  weights[start] = 0
   queue.push(start, 0)
   tape?.write(EVENT.open, problem.start)
   let expanded = 0
   for (let vertex = queue.pop(); vertex !== undefined; vertex = queue.pop()) {
     if (closed[vertex]) continue
     closed[vertex] = 1
-    tape?.at(lines.close).write(EVENT.close, vertices[vertex], -1, costOfRank(cost, ranks[vertex]))
+    tape
+      ?.at(lines.close)
+      .write(EVENT.close, vertices[vertex], -1, costOfWeight(cost, weights[vertex]))
     if (++expanded % 256 === 0) {
       progress(recording + ((1 - recording) * expanded) / vertices.length)
     }
@@ -102,15 +112,15 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
     for (let i = 0; i < count; i++) {
       const other = otherEnd(edges[i])
       if (closed[other]) continue
-      const next = ranks[vertex] + rankOf(vertices[vertex], vertices[other])
-      if (next >= ranks[other]) continue
-      ranks[other] = next
+      const next = weights[vertex] + weigh(vertices[vertex], vertices[other])
+      if (next >= weights[other]) continue
+      weights[other] = next
       parents[other] = vertex
       outwards[other] = edges[i] & 1
-      queue.push(other, next)
+      queue.push(other, next + leftFrom(vertices[other]))
       tape
         ?.at(lines.open)
-        .write(EVENT.open, vertices[other], vertices[vertex], costOfRank(cost, next))
+        .write(EVENT.open, vertices[other], vertices[vertex], costOfWeight(cost, next))
     }
   }
   tape?.at(lines.none)

@@ -1,12 +1,14 @@
 import { DX, DY, isDiagonal, stepOffsets } from '../grid/directions'
 import { type Cell, isInside, pointOf } from '../grid/grid'
+import { allLegalSteps } from '../grid/legal-steps'
 import type { Problem } from '../grid/problem'
-import { allLegalSteps, obstaclesAround } from '../grid/steps'
+import { obstaclesAround } from '../grid/steps'
 import { EVENT } from '../trace/events'
 import type { Tape } from '../trace/tape'
 import { costParam } from './costs'
 import { offlinePlanner } from './planner'
 import { edgeTo, type Roadmap, roadmapPhases, roadmapPseudocode, searchRoadmap } from './roadmap'
+import { searchParam } from './search-param'
 
 const { text, line } = roadmapPseudocode({
   vertices: 'each free cell diagonal to an obstacle, both cells between them free',
@@ -17,12 +19,12 @@ export const visibilityGraph = offlinePlanner({
   id: 'visibility-graph',
   title: 'Visibility graph',
   summary:
-    'The corners of obstacles are joined wherever the simplest path between them is free; Dijkstra searches that graph.',
+    'The corners of obstacles are joined wherever the simplest path between them is free; Dijkstra or A* searches that graph.',
   promise:
     'Complete: it proves it if no path exists. Optimal with only-when-no-obstacles and cost cells; with the report’s rule on about 4 of 5 random maps, because a path may cut a corner that the graph’s vertices go around.',
   complete: () => true,
   optimal: ({ cost }, diagonal) => cost === 'cells' && diagonal === 'only-when-no-obstacles',
-  params: [costParam],
+  params: [searchParam, costParam],
   phases: roadmapPhases,
   pseudocode: text,
   source:
@@ -33,8 +35,8 @@ export const visibilityGraph = offlinePlanner({
       status: 'unreachable',
       reason: 'the visibility graph does not join start and goal',
     } as const
-    const { cost } = params
-    const task = { problem, cost, failure, lines: line, tape, progress }
+    const { cost, search } = params
+    const task = { problem, cost, search, failure, lines: line, tape, progress }
     tape?.at(line.vertices).write(EVENT.phase, -1, 0)
     return searchRoadmap(visibilityRoadmap(problem, tape), task)
   },

@@ -1,9 +1,9 @@
 import { BoundaryWalk, obstacleInTheWay, type Turn } from '../algorithms/boundary'
 import { stepOffsets } from '../grid/directions'
 import { type Cell, type Grid, pointOf } from '../grid/grid'
+import { allLegalSteps } from '../grid/legal-steps'
 import type { Problem } from '../grid/problem'
 import { distance, farness, simplestPath, simplestStep } from '../grid/simplest-path'
-import { allLegalSteps } from '../grid/steps'
 import { DriveNotes } from '../rover/drive-notes'
 import { SimulatedRover } from '../rover/simulated-rover'
 

@@ -18,12 +18,19 @@ const BY_SIGNS = Int8Array.of(7, 0, 1, 6, -1, 2, 5, 4, 3)
 
 /** The direction in which (dx, dy) points: diagonal while both differ from 0; -1 for (0, 0). */
 export function directionOf(dx: number, dy: number): Direction {
-  return BY_SIGNS[3 * (Math.sign(dy) + 1) + Math.sign(dx) + 1]
+  return stepDirection(Math.sign(dx), Math.sign(dy))
+}
+
+/** The direction of a step by -1, 0 or 1 column and row; -1 if it is no step. */
+export function stepDirection(dx: number, dy: number): Direction {
+  return BY_SIGNS[3 * dy + dx + 4]
 }
 
 /** What is added to a cell's index by a step in each direction, on a map `width` cells wide. */
 export function stepOffsets(width: number): Int32Array {
-  return Int32Array.from(DX, (dx, d) => DY[d] * width + dx)
+  const offsets = new Int32Array(8)
+  for (let d = 0; d < 8; d++) offsets[d] = DY[d] * width + DX[d]
+  return offsets
 }
 
 /** The place one step from `place` in a direction. */

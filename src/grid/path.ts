@@ -1,29 +1,47 @@
-import { directionOf, isDiagonal } from './directions'
+import { isDiagonal, stepDirection, stepOffsets } from './directions'
 import type { Cell } from './grid'
 import type { Problem } from './problem'
-import { legalSteps, obstaclesAround } from './steps'
+import { legalSteps } from './steps'
 
-/** The direction of the step between two cells of a path; only for cells next to each other. */
-function stepBetween(width: number, from: Cell, to: Cell): number {
-  return directionOf(
-    (to % width) - (from % width),
-    Math.floor(to / width) - Math.floor(from / width),
-  )
+/** The direction of each step of a path; -1 where two cells that follow are not neighbours. */
+export function stepDirections(width: number, path: ArrayLike<Cell>): Int8Array {
+  const directions = new Int8Array(Math.max(0, path.length - 1))
+  let x = path.length > 0 ? path[0] % width : 0
+  for (let i = 0; i < directions.length; i++) {
+    const step = path[i + 1] - path[i]
+    // Columns are counted on from cell to cell: a division for each takes longer than all else.
+    const column = x + step
+    const dy = column < 0 ? -1 : column >= width ? 1 : 0
+    const dx = step - dy * width
+    directions[i] = dx >= -1 && dx <= 1 ? stepDirection(dx, dy) : -1
+    x = column - dy * width
+  }
+  return directions
 }
 
-function areNeighbours(width: number, a: Cell, b: Cell): boolean {
-  const dx = Math.abs((a % width) - (b % width))
-  const dy = Math.abs(Math.floor(a / width) - Math.floor(b / width))
-  return Math.max(dx, dy) === 1
-}
-
-/** The place in `path` of the first step that the problem's rule refuses; -1 if all are legal. */
-export function firstIllegalStep(problem: Problem, path: ArrayLike<Cell>): number {
-  const { grid, diagonal } = problem
-  for (let i = 1; i < path.length; i++) {
-    if (!areNeighbours(grid.width, path[i - 1], path[i])) return i
-    const legal = legalSteps(diagonal, obstaclesAround(grid, path[i - 1]))
-    if (((legal >> stepBetween(grid.width, path[i - 1], path[i])) & 1) === 0) return i
+/**
+ * The place in `path` of the first step that the problem's rule refuses; -1 if all are legal.
+ * @param directions those of its steps, if they are known
+ */
+export function firstIllegalStep(
+  { grid, diagonal }: Problem,
+  path: ArrayLike<Cell>,
+  directions = stepDirections(grid.width, path),
+): number {
+  const { width, walls } = grid
+  const offsets = stepOffsets(width)
+  for (let i = 0; i < directions.length; i++) {
+    const direction = directions[i]
+    const from = path[i]
+    const to = path[i + 1]
+    if (direction < 0 || to < 0 || to >= walls.length) return i + 1
+    let obstacles = walls[to] << direction
+    if (isDiagonal(direction)) {
+      const after = (direction + 1) & 7
+      obstacles |= walls[from + offsets[direction - 1]] << (direction - 1)
+      obstacles |= walls[from + offsets[after]] << after
+    }
+    if (((legalSteps(diagonal, obstacles) >> direction) & 1) === 0) return i + 1
   }
   return -1
 }
@@ -37,16 +55,18 @@ export interface PathMeasure {
   readonly turns: number
 }
 
-export function measurePath(width: number, path: ArrayLike<Cell>): PathMeasure {
+/** @param directions those of its steps, if they are known */
+export function measurePath(
+  width: number,
+  path: ArrayLike<Cell>,
+  directions = stepDirections(width, path),
+): PathMeasure {
   let diagonals = 0
   let turns = 0
-  let before = -1
-  for (let i = 1; i < path.length; i++) {
-    const direction = stepBetween(width, path[i - 1], path[i])
-    if (isDiagonal(direction)) diagonals++
-    if (before >= 0 && direction !== before) turns++
-    before = direction
+  for (let i = 0; i < directions.length; i++) {
+    if (isDiagonal(directions[i])) diagonals++
+    if (i > 0 && directions[i] !== directions[i - 1]) turns++
   }
-  const steps = Math.max(0, path.length - 1)
-  return { cells: path.length, length: steps - diagonals + diagonals * Math.SQRT2, turns }
+  const straights = directions.length - diagonals
+  return { cells: path.length, length: straights + diagonals * Math.SQRT2, turns }
 }

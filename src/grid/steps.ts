@@ -46,42 +46,25 @@ export function legalSteps(rule: DiagonalRule, obstacles: Directions): Direction
 
 /** The directions in which the neighbour of a cell is an obstacle. */
 export function obstaclesAround(grid: Grid, cell: Cell): Directions {
-  const x = cell % grid.width
-  const y = Math.floor(cell / grid.width)
-  let obstacles = 0
-  for (let d = 0; d < 8; d++) if (isObstacle(grid, x + DX[d], y + DY[d])) obstacles |= 1 << d
-  return obstacles
-}
-
-/** The legal steps from every cell of the map; none from an obstacle. */
-export function allLegalSteps(grid: Grid, rule: DiagonalRule): Uint8Array {
-  const { width, height, walls } = grid
-  const table = LEGAL[rule]
-  const steps = new Uint8Array(walls.length)
-  for (let y = 0; y < height; y++) {
-    const first = y * width
-    const inner = y > 0 && y < height - 1
-    for (let x = 0; x < width; x++) {
-      const c = first + x
-      if (walls[c]) continue
-      if (!inner || x === 0 || x === width - 1) {
-        steps[c] = table[obstaclesAround(grid, c)]
-        continue
-      }
-      const n = c - width
-      const s = c + width
-      steps[c] =
-        table[
-          walls[n] |
-            (walls[n + 1] << 1) |
-            (walls[c + 1] << 2) |
-            (walls[s + 1] << 3) |
-            (walls[s] << 4) |
-            (walls[s - 1] << 5) |
-            (walls[c - 1] << 6) |
-            (walls[n - 1] << 7)
-        ]
-    }
+  const { width, walls } = grid
+  const x = cell % width
+  if (x === 0 || x === width - 1 || cell < width || cell >= walls.length - width) {
+    const y = Math.floor(cell / width)
+    let obstacles = 0
+    for (let d = 0; d < 8; d++) if (isObstacle(grid, x + DX[d], y + DY[d])) obstacles |= 1 << d
+    return obstacles
   }
-  return steps
+  // Away from the border no neighbour has to be asked whether it is on the map.
+  const above = cell - width
+  const below = cell + width
+  return (
+    walls[above] |
+    (walls[above + 1] << 1) |
+    (walls[cell + 1] << 2) |
+    (walls[below + 1] << 3) |
+    (walls[below] << 4) |
+    (walls[below - 1] << 5) |
+    (walls[cell - 1] << 6) |
+    (walls[above - 1] << 7)
+  )
 }

@@ -1,4 +1,5 @@
 import { contextOf } from './cell-canvas'
+import { edgeX, edgeY, type Placement } from './placement'
 
 /** One of the canvases on top of each other. It remembers what it was drawn from. */
 export class Sheet {
@@ -38,6 +39,18 @@ export class Sheet {
   fill(colour: string): void {
     this.context.fillStyle = colour
     this.context.fillRect(0, 0, this.#canvas.width, this.#canvas.height)
+  }
+
+  /** Draws on that part of it only in which the placement's cells lie. */
+  within(part: Placement, draw: () => void): void {
+    const { context } = this
+    const [left, top] = [edgeX(part, part.fromX), edgeY(part, part.fromY)]
+    context.save()
+    context.beginPath()
+    context.rect(left, top, edgeX(part, part.toX) - left, edgeY(part, part.toY) - top)
+    context.clip()
+    draw()
+    context.restore()
   }
 
   remove(): void {

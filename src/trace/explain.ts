@@ -1,7 +1,7 @@
 import { type Cell, cellName } from '../grid/grid'
 import { EVENT, STATUSES, type Status } from './events'
 import type { Frame } from './frame'
-import type { TapeColumns } from './tape'
+import type { TapeColumns, Thinning } from './tape'
 
 const SIDES = ['left', 'right'] as const
 
@@ -57,7 +57,7 @@ export function explain(
         ? `Start at ${name(cell)} with cost ${number(value)}.`
         : `${name(cell)} gets a shorter way, over ${name(other)}: cost ${number(value)}.`
     case EVENT.close:
-      return `${name(cell)} has the least cost of all open ones, ${number(value)}: its shortest path is final.`
+      return `Of all open ones ${name(cell)} comes first, with cost ${number(value)}: its shortest path is final.`
     case EVENT.path:
       return `The parents lead back from the goal: a path of ${count(frame.path.length, 'cell')}.`
     case EVENT.attraction:
@@ -67,7 +67,7 @@ export function explain(
     case EVENT.potential:
       return `Row ${row}: attraction and repulsion added up.`
     case EVENT.step:
-      return explainStep(name, cell, other, frame)
+      return explainStep(name, cell, other, frame, tape.thinning)
     case EVENT.sense:
       return `The rover senses what is around ${name(frame.rover)}.`
     case EVENT.scan:
@@ -93,9 +93,17 @@ export function explain(
   }
 }
 
-function explainStep(name: (cell: Cell) => string, cell: Cell, from: Cell, frame: Frame): string {
+function explainStep(
+  name: (cell: Cell) => string,
+  cell: Cell,
+  from: Cell,
+  frame: Frame,
+  thinning: Thinning,
+): string {
   if (from < 0) return `Start at ${name(cell)}.`
   if (!frame.following) return `Step to ${name(cell)}: the way is free.`
+  // Neither what it heads for nor what it keeps at its side is on a thinned tape.
+  if (thinning !== 'whole') return `Step to ${name(cell)}, along the boundary.`
   // Only Bug1 heads for a place while it is at the boundary: back to the nearest one.
   if (frame.target >= 0)
     return `Step to ${name(cell)}, along the boundary to ${name(frame.target)}.`

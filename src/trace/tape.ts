@@ -1,5 +1,47 @@
 import type { Cell } from '../grid/grid'
-import type { EventKind } from './events'
+import { EVENT, type EventKind } from './events'
+
+const FIRST_ROOM = 1024
+
+/**
+ * So many events make about 180 MB. A tape that comes to so many leaves out what is small from its
+ * first event on; if that is not enough, all that comes later.
+ */
+const MOST_EVENTS = 10_000_000
+
+/** Events without which the others can be followed. */
+const SMALL: ReadonlySet<number> = new Set([
+  EVENT.row,
+  EVENT.test,
+  EVENT.refuse,
+  EVENT.open,
+  EVENT.attraction,
+  EVENT.repulsion,
+  EVENT.sense,
+  EVENT.target,
+  EVENT.turn,
+  EVENT.feel,
+  EVENT.scan,
+  EVENT.node,
+  EVENT.value,
+])
+
+const ALL = new Set<number>(Object.values(EVENT))
+/** That it was cut is no reason not to say how it ended. */
+const ALL_BUT_THE_END = new Set([...ALL].filter((kind) => kind !== EVENT.end))
+
+const marked = (kinds: ReadonlySet<number>): Uint8Array =>
+  Uint8Array.from({ length: ALL.size }, (_, kind) => (kinds.has(kind) ? 1 : 0))
+
+/** By kind whether an event is left out. */
+const LEFT_OUT: Record<Thinning, Uint8Array> = {
+  whole: marked(new Set()),
+  thinned: marked(SMALL),
+  cut: marked(ALL_BUT_THE_END),
+}
+
+/** What a long tape leaves out: nothing; small events, all along; these, and what came at its end. */
+export type Thinning = 'whole' | 'thinned' | 'cut'
 
 /** The columns of a tape, one entry an event; the arrays may be longer than `length`. */
 export interface TapeColumns {
@@ -13,6 +55,7 @@ export interface TapeColumns {
   readonly cells: Int32Array
   readonly others: Int32Array
   readonly values: Float64Array
+  readonly thinning: Thinning
 }
 
 /**
@@ -23,17 +66,27 @@ export class Tape implements TapeColumns {
   width = 0
   height = 0
   length = 0
-  kinds = new Uint8Array(1024)
-  lines = new Uint8Array(1024)
-  cells = new Int32Array(1024)
-  others = new Int32Array(1024)
-  values = new Float64Array(1024)
+  kinds = new Uint8Array(FIRST_ROOM)
+  lines = new Uint8Array(FIRST_ROOM)
+  cells = new Int32Array(FIRST_ROOM)
+  others = new Int32Array(FIRST_ROOM)
+  values = new Float64Array(FIRST_ROOM)
+  thinning: Thinning = 'whole'
+  #leftOut = LEFT_OUT.whole
+  readonly #most: number
   /** Where the planner is in its pseudocode; every event is stamped with it. */
   line = 0
 
+  /** @param most how many events there may be before some are left out */
+  constructor(most = MOST_EVENTS) {
+    this.#most = most
+  }
+
   /** A tape around columns that came from a worker. */
   static from(columns: TapeColumns): Tape {
-    return Object.assign(new Tape(), columns)
+    const tape = Object.assign(new Tape(), columns)
+    tape.#leftOut = LEFT_OUT[columns.thinning]
+    return tape
   }
 
   /** Forgets what is written and starts anew for a map of this size. */
@@ -42,6 +95,13 @@ export class Tape implements TapeColumns {
     this.height = height
     this.length = 0
     this.line = 0
+    this.#thin('whole')
+  }
+
+  /** Makes room for so many more events at once: growing bit by bit takes longer than writing. */
+  reserve(events: number): void {
+    const room = Math.min(this.length + events, this.#most)
+    if (room > this.kinds.length) this.#resize(room)
   }
 
   /** The cell at (x, y); -1 outside the map. */
@@ -57,8 +117,13 @@ export class Tape implements TapeColumns {
   }
 
   write(kind: EventKind, cell: Cell = -1, other = -1, value = 0): void {
+    if (this.#leftOut[kind]) return
     const i = this.length
-    if (i === this.kinds.length) this.grow()
+    if (i === this.kinds.length) {
+      this.#grow()
+      this.write(kind, cell, other, value)
+      return
+    }
     this.kinds[i] = kind
     this.lines[i] = this.line
     this.cells[i] = cell
@@ -67,34 +132,59 @@ export class Tape implements TapeColumns {
     this.length = i + 1
   }
 
-  /** The columns without the room kept for more, and the buffers to transfer with them. */
+  /** Hands over the columns, and the buffers to transfer with them. The tape is empty then. */
   release(): { columns: TapeColumns; buffers: ArrayBuffer[] } {
-    const { width, height, length } = this
-    const columns = {
-      width,
-      height,
-      length,
-      kinds: this.kinds.slice(0, length),
-      lines: this.lines.slice(0, length),
-      cells: this.cells.slice(0, length),
-      others: this.others.slice(0, length),
-      values: this.values.slice(0, length),
-    }
-    const { kinds, lines, cells, others, values } = columns
+    if (this.length < this.kinds.length / 2) this.#resize(this.length)
+    const { width, height, length, thinning, kinds, lines, cells, others, values } = this
+    const columns = { width, height, length, thinning, kinds, lines, cells, others, values }
+    Object.assign(this, new Tape(this.#most))
+    this.begin(width, height)
     return { columns, buffers: [kinds, lines, cells, others, values].map((c) => c.buffer) }
   }
 
-  private grow(): void {
-    const double = <T extends Uint8Array | Int32Array | Float64Array>(from: T, to: T): T => {
-      to.set(from)
-      return to
+  #grow(): void {
+    const { length } = this
+    if (length < this.#most) this.#resize(Math.min(Math.max(2 * length, FIRST_ROOM), this.#most))
+    else if (this.thinning === 'whole') this.#thin('thinned')
+    else {
+      this.#thin('cut')
+      // Room for the one event that is still to come, the end.
+      this.length--
     }
-    // The columns of a released tape have no room at all, maybe not even a first event.
-    const size = Math.max(2 * this.kinds.length, 1024)
-    this.kinds = double(this.kinds, new Uint8Array(size))
-    this.lines = double(this.lines, new Uint8Array(size))
-    this.cells = double(this.cells, new Int32Array(size))
-    this.others = double(this.others, new Int32Array(size))
-    this.values = double(this.values, new Float64Array(size))
   }
+
+  #thin(thinning: Thinning): void {
+    this.thinning = thinning
+    this.#leftOut = LEFT_OUT[thinning]
+    if (thinning !== 'thinned') return
+    let kept = 0
+    for (let i = 0; i < this.length; i++) {
+      if (this.#leftOut[this.kinds[i]]) continue
+      this.kinds[kept] = this.kinds[i]
+      this.lines[kept] = this.lines[i]
+      this.cells[kept] = this.cells[i]
+      this.others[kept] = this.others[i]
+      this.values[kept] = this.values[i]
+      kept++
+    }
+    this.length = kept
+  }
+
+  #resize(room: number): void {
+    const { kinds, lines, cells, others, values, length } = this
+    this.kinds = copied(kinds, new Uint8Array(room), length)
+    this.lines = copied(lines, new Uint8Array(room), length)
+    this.cells = copied(cells, new Int32Array(room), length)
+    this.others = copied(others, new Int32Array(room), length)
+    this.values = copied(values, new Float64Array(room), length)
+  }
+}
+
+function copied<Column extends Uint8Array | Int32Array | Float64Array>(
+  from: Column,
+  to: Column,
+  length: number,
+): Column {
+  to.set(from.subarray(0, length))
+  return to
 }

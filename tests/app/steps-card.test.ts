@@ -177,9 +177,7 @@ describe('what is known of a cell, in words', () => {
       const state = stateOf(id)
       return cellFactsInWords(momentAt(state), state.setup.problem, cell)
     }
-    expect(words('decomposition', 1)).toBe(
-      'Cell 1 of the path; vertex; closed, cost 1 by way of (0, 0).',
-    )
+    expect(words('decomposition', 1)).toBe('Vertex; closed, cost 1 by way of (0, 0).')
     expect(words('potential-field', 24)).toMatch(/^Attraction 0; repulsion 0; potential 0/)
     expect(words('bug2', 0)).toMatch(/^Hit point 1; cell 0 of the m-line; stood on after step 0;/)
   })

@@ -1,7 +1,8 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
 import { DX, DY } from '../../src/grid/directions'
-import { allLegalSteps, legalSteps, obstaclesAround } from '../../src/grid/steps'
+import { allLegalSteps } from '../../src/grid/legal-steps'
+import { legalSteps, obstaclesAround } from '../../src/grid/steps'
 import { gridToRows } from '../../src/grid/text-map'
 import { grids, RULES, rules } from './arbitraries'
 

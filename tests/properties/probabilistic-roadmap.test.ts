@@ -2,7 +2,7 @@ import { test } from 'vitest'
 import { EVENT, type ParamSettings, Tape } from '../../src/index'
 import { LONG, must, onEveryMap } from '../reference/cases'
 import { allEdges } from '../reference/roadmap'
-import { mustBeBestOnRoadmap, mustHaveOnTape } from '../reference/roadmap-checks'
+import { mustBeAsGood, mustBeBestOnRoadmap, mustHaveOnTape } from '../reference/roadmap-checks'
 import { mustBeModest, mustNotExceed, run } from '../reference/run'
 import { freeCells, isWall, placesOf, type World, type XY } from '../reference/world'
 
@@ -41,6 +41,9 @@ test('the roadmap joins its samples as all pairs do', { timeout: LONG }, async (
       mustBeModest(world, found)
       mustHaveOnTape(world, found.name, tape, vertices, edges, cost)
       mustBeBestOnRoadmap(world, found, vertices, edges, cost)
+      const starred = run(world, 'probabilistic-roadmap', { ...settings, cost, search: 'a-star' })
+      mustBeBestOnRoadmap(world, starred, vertices, edges, cost)
+      mustBeAsGood(starred, found)
       // As for the visibility graph.
       mustNotExceed((vertices.length - 1) * (Math.max(world.width, world.height) - 1), found)
     }

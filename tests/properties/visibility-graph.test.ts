@@ -2,7 +2,7 @@ import { test } from 'vitest'
 import { Tape } from '../../src/index'
 import { isClose, LONG, must, onEveryMap } from '../reference/cases'
 import { allEdges, obstacleVertices } from '../reference/roadmap'
-import { mustBeBestOnRoadmap, mustHaveOnTape } from '../reference/roadmap-checks'
+import { mustBeAsGood, mustBeBestOnRoadmap, mustHaveOnTape } from '../reference/roadmap-checks'
 import { mustBeComplete, mustNotExceed, run } from '../reference/run'
 import { lengthOf, shortestWay } from '../reference/shortest'
 
@@ -19,6 +19,9 @@ test('visibility-graph is the graph of all pairs, and complete', { timeout: LONG
       must(drawn.outcome.cost === outcome.cost, () => `${name}: costs other with a tape`)
       mustBeComplete(world, found)
       mustBeBestOnRoadmap(world, found, vertices, edges, cost)
+      const starred = run(world, 'visibility-graph', { cost, search: 'a-star' })
+      mustBeBestOnRoadmap(world, starred, vertices, edges, cost)
+      mustBeAsGood(starred, found)
       // No vertex comes twice, and the path between two has fewer steps than the map's longer side.
       mustNotExceed((vertices.length - 1) * (Math.max(world.width, world.height) - 1), found)
       const best = shortestWay(world, cost)

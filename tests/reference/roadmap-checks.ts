@@ -28,6 +28,22 @@ export function mustBeBestOnRoadmap(
   )
 }
 
+/** A* ends as Dijkstra does and expands no more; that its cost is the least is for others to check. */
+export function mustBeAsGood(starred: Run, { outcome }: Run): void {
+  const { name } = starred
+  const { status, expanded } = starred.outcome
+  must(status === outcome.status, () => `${name}: ${status}, but dijkstra ${outcome.status}`)
+  must(
+    expanded <= outcome.expanded,
+    () => `${name}: ${expanded} expanded, but dijkstra ${outcome.expanded}`,
+  )
+  // Without a path both try all that is joined to the start.
+  must(
+    status === 'reached' || expanded === outcome.expanded,
+    () => `${name}: ${expanded} expanded without a path, but dijkstra ${outcome.expanded}`,
+  )
+}
+
 /** The tape shows these vertices, each once, and these edges, each once and with its weight. */
 export function mustHaveOnTape(
   world: World,

@@ -1,0 +1,21 @@
+import type { Case } from '../case'
+import { acrossAll, type BenchMap } from '../maps'
+import { ask } from '../ours'
+import { flood } from '../plain/flood'
+
+/** What a cell costs grid decomposition, against a flood of straight steps over the same cells. */
+export function cellCases({ name, grid, queries }: BenchMap): Case[] {
+  const query = acrossAll(grid, queries[0].start)
+  const targets = [
+    ['cells', 4],
+    ['euclidean', 6],
+  ] as const
+  return targets.map(([cost, atMost]) => ({
+    name: `a cell, cost ${cost}, ${name}`,
+    against: 'plain flood',
+    ours: () => ask(grid, query, 'decomposition', { cost }).expanded,
+    peer: () => flood(grid, query.start).count,
+    unit: 'cell',
+    target: { atMost },
+  }))
+}

@@ -1,0 +1,59 @@
+import type { Cell, Grid } from '../../src/grid/grid'
+import { randomInteger, randomNumbers } from '../../src/grid/random'
+import type { Case } from '../case'
+import type { BenchMap } from '../maps'
+import { ask, paramsOf, searchesOf } from '../ours'
+import { walkPairs } from '../plain/pairs'
+
+/** The visibility graph's time, against grid decomposition's for an answer of the same cost. */
+export function visibilityCase({ name, grid, queries }: BenchMap): Case {
+  const work = (planner: string) => () => {
+    for (const query of queries) ask(grid, query, planner, { cost: 'cells' })
+    return queries.length
+  }
+  return {
+    name: `visibility graph, ${name}`,
+    against: 'decomposition',
+    ours: work('visibility-graph'),
+    peer: work('decomposition'),
+    unit: 'query',
+    target: { atMost: 20 },
+  }
+}
+
+const SAMPLES = 10_000
+/** All pairs of so many vertices take minutes where they see far: this part is walked and scaled. */
+const WALKED_PART = 1 / 200
+
+/** A roadmap of many samples, against walking the simplest paths of all its pairs cell by cell. */
+export function roadmapCases({ name, grid, queries }: BenchMap): Case[] {
+  const vertices = sampledCells(grid)
+  const walk = () => {
+    walkPairs(grid, vertices, WALKED_PART, () => {})
+    return WALKED_PART
+  }
+  return searchesOf('probabilistic-roadmap').map((search) => {
+    const params = { ...paramsOf('euclidean', search), samples: SAMPLES }
+    return {
+      name: `roadmap ${search}, ${name}`,
+      against: `walking all pairs (${WALKED_PART * 100} % of them, scaled)`,
+      ours: () => {
+        for (const query of queries) ask(grid, query, 'probabilistic-roadmap', params)
+        return queries.length
+      },
+      peer: walk,
+      unit: 'query',
+      target: { atLeast: 50 },
+    }
+  })
+}
+
+function sampledCells({ walls }: Grid): Int32Array {
+  const random = randomNumbers(1)
+  const cells = new Set<Cell>()
+  while (cells.size < SAMPLES) {
+    const cell = randomInteger(random, walls.length)
+    if (!walls[cell]) cells.add(cell)
+  }
+  return Int32Array.from(cells)
+}

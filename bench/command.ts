@@ -1,0 +1,58 @@
+import { parseArgs } from 'node:util'
+import { InputError } from '../src/grid/errors'
+
+export const USAGE = `Times our planners and those of other libraries in turn.
+
+  npm run bench                        all cases, and exit code 1 if one is behind its target
+  npm run bench -- --only 'a-star'     the cases with this in their names
+  npm run bench -- --quick             no maps of a million cells, and no growth
+  npm run bench -- --docs              all of it, written down in docs/speed.md
+  npm run bench -- a.map a.map.scen    maps and scenarios of the MovingAI benchmarks instead
+`
+
+export interface Command {
+  readonly help: boolean
+  readonly quick: boolean
+  readonly docs: boolean
+  /** Part of the names of the cases to be timed; empty for all. */
+  readonly only: string
+  readonly maps: readonly string[]
+  readonly scenarios: readonly string[]
+}
+
+/**
+ * What the arguments of the command line ask for.
+ * @throws InputError that says which argument is wrong
+ */
+export function readCommand(args: readonly string[]): Command {
+  const { values, positionals } = parse(args)
+  const { help = false, quick = false, docs = false, only = '' } = values
+  const maps = positionals.filter((file) => file.endsWith('.map'))
+  const scenarios = positionals.filter((file) => file.endsWith('.scen'))
+  const other = positionals.find((file) => !maps.includes(file) && !scenarios.includes(file))
+  if (other !== undefined) {
+    throw new InputError(`${other} is neither a .map nor a .scen file.\n\n${USAGE}`)
+  }
+  if (docs && (quick || only !== '' || positionals.length > 0)) {
+    throw new InputError('--docs writes down the whole bench: it goes with nothing else.')
+  }
+  return { help, quick, docs, only, maps, scenarios }
+}
+
+function parse(args: readonly string[]) {
+  try {
+    return parseArgs({
+      args: [...args],
+      allowPositionals: true,
+      options: {
+        only: { type: 'string' },
+        quick: { type: 'boolean' },
+        docs: { type: 'boolean' },
+        help: { type: 'boolean', short: 'h' },
+      },
+    })
+  } catch (error) {
+    const message = error instanceof Error ? error.message : String(error)
+    throw new InputError(`${message}\n\n${USAGE}`)
+  }
+}

@@ -1,0 +1,23 @@
+import { InputError } from '../src/grid/errors'
+import { readCommand, USAGE } from './command'
+import { benchGenerated } from './run'
+import { benchFiles } from './run-files'
+
+function main(): boolean {
+  const command = readCommand(process.argv.slice(2))
+  if (command.help) {
+    process.stdout.write(USAGE)
+    return true
+  }
+  return command.maps.length + command.scenarios.length > 0
+    ? benchFiles(command)
+    : benchGenerated(command)
+}
+
+try {
+  if (!main()) process.exitCode = 1
+} catch (error) {
+  if (!(error instanceof InputError)) throw error
+  process.stderr.write(`${error.message}\n`)
+  process.exitCode = 1
+}

@@ -1,0 +1,74 @@
+import { generators, type Size } from '../src/grid/generators'
+import { type Cell, emptyGrid, type Grid, pointOf } from '../src/grid/grid'
+import { randomInteger, randomNumbers } from '../src/grid/random'
+import { distance } from '../src/grid/simplest-path'
+import { flood, unpaddedCell } from './plain/flood'
+
+export const RULE = 'only-when-no-obstacles'
+export const MAP_KINDS = ['random', 'rooms', 'maze', 'open'] as const
+export type MapKind = (typeof MAP_KINDS)[number]
+
+export interface Query {
+  readonly start: Cell
+  readonly goal: Cell
+}
+
+/** A map with what is asked on it. */
+export interface BenchMap {
+  /** How lines of the bench name it: its kind and size, or its file. */
+  readonly name: string
+  /** All that is needed to make it again. */
+  readonly origin: string
+  readonly grid: Grid
+  readonly queries: readonly Query[]
+}
+
+/** With the generators' own defaults, but for the density of random maps. */
+const DENSITY = 20
+
+/** Made anew each time it is asked for, so that maps that are done with can be forgotten. */
+export function generatedMap(kind: MapKind, size: Size, seed: number, queries: number): BenchMap {
+  const grid = gridOf(kind, size, seed)
+  const random = randomNumbers(seed)
+  return {
+    name: `${kind} ${size.width}×${size.height}`,
+    origin: `${kind} ${size.width}×${size.height}, seed ${seed}`,
+    grid,
+    queries: Array.from({ length: queries }, () => farApart(grid, random)),
+  }
+}
+
+function gridOf(kind: MapKind, size: Size, seed: number): Grid {
+  if (kind === 'open') return emptyGrid(size.width, size.height)
+  const generator = generators.find(({ id }) => id === kind)
+  if (!generator) throw new Error(`There is no generator ${kind}.`)
+  const params: Record<string, number> = kind === 'random' ? { density: DENSITY } : {}
+  return generator.generate(size, params, seed, RULE).grid
+}
+
+/** Two random free cells joined by a path, at least three quarters of the longer side apart. */
+function farApart(grid: Grid, random: () => number): Query {
+  const { width, height, walls } = grid
+  const least = 0.75 * Math.max(width, height)
+  for (;;) {
+    const start = randomInteger(random, walls.length)
+    const goal = randomInteger(random, walls.length)
+    if (walls[start] || walls[goal]) continue
+    if (distance(pointOf(width, start), pointOf(width, goal)) < least) continue
+    if (cellsAround(grid, start).includes(goal)) return { start, goal }
+  }
+}
+
+/** All cells that can be reached from one, the farthest by straight steps last. */
+function cellsAround(grid: Grid, start: Cell): Int32Array {
+  const { queue, count } = flood(grid, start)
+  return queue.subarray(0, count).map((padded) => unpaddedCell(grid.width, padded))
+}
+
+/** From one end of what can be reached from a cell to the other: hardly a cell is spared. */
+export function acrossAll(grid: Grid, from: Cell): Query {
+  const anywhere = cellsAround(grid, from)
+  const start = anywhere[anywhere.length - 1]
+  const cells = cellsAround(grid, start)
+  return { start, goal: cells[cells.length - 1] }
+}

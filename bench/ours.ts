@@ -1,0 +1,29 @@
+import { type Outcome, type ParamSettings, plan, plannerById, type Tape } from 'path-planner'
+import type { Grid } from '../src/grid/grid'
+import { type Query, RULE } from './maps'
+
+/**
+ * One question to the built library, from a plain array of obstacles to the answer. The array is
+ * copied for each question, and the copy counted, so that nothing can be remembered of the last one.
+ */
+export function ask(
+  grid: Grid,
+  { start, goal }: Query,
+  planner: string,
+  params: ParamSettings,
+  tape?: Tape,
+): Outcome {
+  const copy = { ...grid, walls: grid.walls.slice() }
+  const problem = { grid: copy, start, goal, diagonal: RULE } as const
+  return plan(problem, planner, tape ? { params, tape } : { params })
+}
+
+/** The values that the parameter `search` of a planner may have, as it declares them. */
+export function searchesOf(planner: string): readonly string[] {
+  const param = plannerById(planner).params.find(({ name }) => name === 'search')
+  return param?.kind === 'choice' ? param.choices : ['dijkstra']
+}
+
+/** Parameters that ask for a cost and one of the searches; `dijkstra` is the default. */
+export const paramsOf = (cost: 'cells' | 'euclidean', search: string): ParamSettings =>
+  search === 'dijkstra' ? { cost } : { cost, search }

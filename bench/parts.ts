@@ -1,0 +1,65 @@
+import type { Case } from './case'
+import { cellCases } from './cases/cells'
+import { fieldCase } from './cases/fields'
+import { roadmapCases, visibilityCase } from './cases/roadmaps'
+import { type SearchTargets, searchCases } from './cases/searches'
+import { tapeCases } from './cases/tapes'
+import { type BenchMap, generatedMap, MAP_KINDS, type MapKind } from './maps'
+import { allPeers, sturdyPeers } from './peers/all'
+import type { Peer } from './peers/peer'
+
+/** A map of the bench and what is done with it. */
+export interface Part {
+  readonly name: string
+  readonly isLarge: boolean
+  /** Made anew each time, so that nobody has to keep the maps of all parts. */
+  readonly make: () => BenchMap
+  readonly peers: readonly Peer[]
+  readonly cases: (map: BenchMap) => Case[]
+}
+
+const SIZES = [
+  { width: 60, height: 40, queries: 8 },
+  { width: 200, height: 200, queries: 4 },
+  { width: 1000, height: 1000, queries: 2 },
+] as const
+
+const SEED = 1
+
+/** All maps that are timed. */
+export const parts: readonly Part[] = SIZES.flatMap((size) =>
+  MAP_KINDS.map((kind): Part => {
+    const isLarge = size.width === 1000
+    return {
+      name: `${kind} ${size.width}×${size.height}`,
+      isLarge,
+      make: () => generatedMap(kind, size, SEED, size.queries),
+      peers: isLarge ? sturdyPeers : allPeers,
+      cases: (map) => casesOn(kind, map, isLarge),
+    }
+  }),
+)
+
+function casesOn(kind: MapKind, map: BenchMap, isLarge: boolean): Case[] {
+  const cases = [
+    ...searchCases(map, targetsOn(kind, isLarge)),
+    ...cellCases(map),
+    visibilityCase(map),
+  ]
+  if (map.grid.width >= 200) cases.push(...tapeCases(map))
+  if (isLarge) cases.push(...roadmapCases(map), fieldCase(map))
+  return cases
+}
+
+function targetsOn(kind: MapKind, isLarge: boolean): SearchTargets {
+  const others = { dijkstra: isLarge ? 40 : 12, 'a-star': 15 }
+  if (kind === 'open') return others
+  return { ...others, 'jump-point': kind === 'random' ? 15 : 100 }
+}
+
+/** Small maps that are only checked, to find out who gives wrong lengths. */
+export function* furtherMaps(): Generator<BenchMap> {
+  for (let seed = 2; seed <= 21; seed++) {
+    for (const kind of MAP_KINDS) yield generatedMap(kind, { width: 60, height: 40 }, seed, 4)
+  }
+}

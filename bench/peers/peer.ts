@@ -1,0 +1,14 @@
+import type { Cell, Grid } from '../../src/grid/grid'
+
+/** The cells of a path from start to goal; empty if none was found. */
+export type Find = (start: Cell, goal: Cell) => readonly Cell[]
+
+/** A path finder from elsewhere, set to `only-when-no-obstacles` and steps of 1 and √2. */
+export interface Peer {
+  readonly name: string
+  /**
+   * What it keeps between the queries on one map is made here, and not counted; what each query
+   * needs anew, such as a grid that serves one query only, is made in `Find`, and counted.
+   */
+  readonly on: (grid: Grid) => Find
+}

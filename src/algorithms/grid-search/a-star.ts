@@ -1,0 +1,93 @@
+import FlatQueue from 'flatqueue'
+import { stepOffsets } from '../../grid/directions'
+import type { Cell } from '../../grid/grid'
+import { allLegalSteps } from '../../grid/legal-steps'
+import { EVENT } from '../../trace/events'
+import { costOfWeight, DIAGONAL_WEIGHT, simplestPathWeights } from '../costs'
+import { Jumps } from './jumps'
+import { CLOSED, DIRECTION, memoryFor, OPEN } from './memory'
+import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
+import { NO_DIRECTION, SUCCESSORS } from './successors'
+import { wayBack } from './way-back'
+
+/**
+ * A* with the weight of the simplest path to the goal as its estimate. No path weighs less, so the
+ * way to a cell that is closed is final. (P. E. Hart, N. J. Nilsson and B. Raphael, "A formal basis
+ * for the heuristic determination of minimum cost paths", 1968.)
+ */
+export const aStar = (task: SearchTask): Found => search(task, false)
+
+/**
+ * Jump point search: A* that opens only cells where a shortest path may turn, and jumps over all
+ * others. (D. Harabor and A. Grastien, "Online graph pruning for pathfinding on grid maps", 2011.)
+ */
+export const jumpPointSearch = (task: SearchTask): Found => search(task, true)
+
+/**
+ * A step straight for the goal makes the way longer by what it takes from the estimate, and nothing
+ * open can be better: its cell comes next, without going through the heap. So among equals the cell
+ * that is furthest on its way goes first, and over open ground the search runs to the goal.
+ */
+function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: boolean): Found {
+  const { grid, start, goal, diagonal } = problem
+  const cells = grid.walls.length
+  const legal = allLegalSteps(grid, diagonal)
+  const successors = SUCCESSORS[diagonal]
+  const offsets = stepOffsets(grid.width)
+  const diagonalWeight = DIAGONAL_WEIGHT[cost]
+  const estimate = simplestPathWeights(cost, grid.width)
+  const memory = memoryFor(cells)
+  const { states, weights } = memory
+  const jumps = new Jumps(legal, successors, offsets, diagonalWeight, goal, memory)
+  const [next] = memory.buckets
+  const heap = new FlatQueue<Cell>()
+  let least = estimate(start, goal)
+  let expanded = 0
+  states[start] = OPEN | NO_DIRECTION
+  weights[start] = 0
+  next.push(start)
+  tape?.at(lines.open).write(EVENT.open, start)
+  for (;;) {
+    if (next.count === 0) {
+      least = heap.peekValue() ?? least
+      const first = heap.pop()
+      if (first === undefined) return { path: new Int32Array(0), expanded }
+      next.push(first)
+    }
+    const cell = next.cells[--next.count]
+    const state = states[cell]
+    // A cell that was improved waits in a later place too.
+    if (state & CLOSED) continue
+    states[cell] = state | CLOSED
+    const weight = weights[cell]
+    if (tape) {
+      tape.at(lines.close).write(EVENT.close, cell, -1, costOfWeight(cost, weight))
+      tape.write(EVENT.value, cell, 0, costOfWeight(cost, least))
+    }
+    if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
+    if (cell === goal) {
+      return { path: wayBack(start, goal, memory, offsets, diagonalWeight), expanded }
+    }
+    let steps = successors[((state & DIRECTION) << 8) | legal[cell]]
+    while (steps !== 0) {
+      let direction = 31 - Math.clz32(steps)
+      steps ^= 1 << direction
+      let reached = cell + offsets[direction]
+      let longer = weight + (direction & 1 ? diagonalWeight : 1)
+      if (jumping) {
+        reached = jumps.from(cell, direction, weight)
+        if (reached < 0) continue
+        longer = jumps.weight
+        direction = jumps.direction
+      }
+      const known = states[reached]
+      if (known & CLOSED || (known !== 0 && longer >= weights[reached])) continue
+      states[reached] = OPEN | direction
+      weights[reached] = longer
+      const whole = longer + estimate(reached, goal)
+      if (whole === least) next.push(reached)
+      else heap.push(reached, whole)
+      if (tape) tape.at(lines.open).write(EVENT.open, reached, cell, costOfWeight(cost, longer))
+    }
+  }
+}

@@ -1,0 +1,20 @@
+import type { Cell } from '../../grid/grid'
+
+const ROOM = 256
+
+/** Cells that wait, in the order in which they came. Emptied by setting its count to 0. */
+export class Bucket {
+  cells = new Int32Array(ROOM)
+  count = 0
+
+  push(cell: Cell): void {
+    if (this.count === this.cells.length) this.#grow()
+    this.cells[this.count++] = cell
+  }
+
+  #grow(): void {
+    const more = new Int32Array(2 * this.count)
+    more.set(this.cells)
+    this.cells = more
+  }
+}

@@ -1,0 +1,68 @@
+import { stepOffsets } from '../../grid/directions'
+import { allLegalSteps } from '../../grid/legal-steps'
+import { EVENT } from '../../trace/events'
+import { costOfWeight, DIAGONAL_WEIGHT } from '../costs'
+import { CLOSED, DIRECTION, memoryFor, OPEN } from './memory'
+import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
+import { NO_DIRECTION, SUCCESSORS } from './successors'
+import { wayBack } from './way-back'
+
+/**
+ * Dijkstra's algorithm without a heap: cells wait in buckets one unit of weight wide. No step weighs
+ * less than that, so the cells of one bucket cannot improve each other, any order among them is
+ * right, and three buckets in turn hold all that wait. (R. B. Dial, 1969.)
+ */
+export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): Found {
+  const { grid, start, goal, diagonal } = problem
+  const cells = grid.walls.length
+  const legal = allLegalSteps(grid, diagonal)
+  const successors = SUCCESSORS[diagonal]
+  const offsets = stepOffsets(grid.width)
+  const diagonalWeight = DIAGONAL_WEIGHT[cost]
+  const memory = memoryFor(cells)
+  const { states, weights } = memory
+  let [bucket, next, afterNext] = memory.buckets
+  let expanded = 0
+  states[start] = OPEN | NO_DIRECTION
+  weights[start] = 0
+  bucket.push(start)
+  tape?.at(lines.open).write(EVENT.open, start)
+  for (let from = 0; bucket.count + next.count > 0; from++) {
+    for (let i = 0; i < bucket.count; i++) {
+      const cell = bucket.cells[i]
+      const state = states[cell]
+      // A cell that was improved stands in an earlier place too.
+      if (state & CLOSED) continue
+      states[cell] = state | CLOSED
+      const weight = weights[cell]
+      if (tape) tape.at(lines.close).write(EVENT.close, cell, -1, costOfWeight(cost, weight))
+      if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
+      if (cell === goal) {
+        return { path: wayBack(start, goal, memory, offsets, diagonalWeight), expanded }
+      }
+      let steps = successors[((state & DIRECTION) << 8) | legal[cell]]
+      while (steps !== 0) {
+        const direction = 31 - Math.clz32(steps)
+        steps ^= 1 << direction
+        const neighbour = cell + offsets[direction]
+        const known = states[neighbour]
+        if (known & CLOSED) continue
+        const longer = weight + (direction & 1 ? diagonalWeight : 1)
+        if (known !== 0 && longer >= weights[neighbour]) continue
+        states[neighbour] = OPEN | direction
+        weights[neighbour] = longer
+        const ahead = Math.floor(longer) - from
+        if (ahead === 0) bucket.push(neighbour)
+        else if (ahead === 1) next.push(neighbour)
+        else afterNext.push(neighbour)
+        if (tape) tape.at(lines.open).write(EVENT.open, neighbour, cell, costOfWeight(cost, longer))
+      }
+    }
+    const empty = bucket
+    empty.count = 0
+    bucket = next
+    next = afterNext
+    afterNext = empty
+  }
+  return { path: new Int32Array(0), expanded }
+}
