@@ -17,7 +17,7 @@ export function cellInWords(problem: Problem, cell: Cell): string {
 
 /** What the planner knows of a cell at this moment, as one sentence; empty if nothing. */
 export function cellFactsInWords({ shown, frame }: Moment, problem: Problem, cell: Cell): string {
-  const facts = cellFacts(shown.tape, frame.time, cell)
+  const facts = cellFacts(shown.tape, frame, cell)
   const parts = [
     ...marks(facts),
     ...search(facts, shown.tape.width, problem.grid.walls[cell] === 1),

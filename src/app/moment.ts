@@ -18,7 +18,7 @@ export class Moments {
     const shown = visiblePlan(state)
     if (!shown) return null
     if (state.time >= shown.tape.length) return { shown, frame: shown.last }
-    if (this.#player?.tape !== shown.tape) this.#player = new Player(shown.tape)
+    if (this.#player?.tape !== shown.tape) this.#player = new Player(shown.tape, shown.checkpoints)
     return { shown, frame: this.#player.moveTo(state.time) }
   }
 }

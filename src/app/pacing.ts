@@ -33,12 +33,11 @@ export class Pace {
 
   constructor(tape: TapeColumns) {
     this.#tape = tape
-    let moves = 0
-    let searches = 0
-    for (let i = 0; i < tape.length; i++) {
-      if (MOVES.has(tape.kinds[i])) moves++
-      else if (SEARCHES.has(tape.kinds[i])) searches++
-    }
+    const counts = new Uint32Array(256)
+    for (let i = 0; i < tape.length; i++) counts[tape.kinds[i]]++
+    const sum = (kinds: ReadonlySet<number>) =>
+      [...kinds].reduce((total, kind) => total + counts[kind], 0)
+    const [moves, searches] = [sum(MOVES), sum(SEARCHES)]
     const searchShare = searches === 0 ? 0 : moves === 0 ? 1 : SEARCH_SHARE
     for (const kind of SEARCHES) this.#weights[kind] = searchShare / Math.max(1, searches)
     for (const kind of MOVES) this.#weights[kind] = (1 - searchShare) / Math.max(1, moves)

@@ -1,6 +1,8 @@
 import { plan } from '../algorithms/plan'
-import { type Frame, frameAt } from '../trace/frame'
+import { foldWhole } from '../trace/checkpoints'
+import type { Frame } from '../trace/frame'
 import { Tape } from '../trace/tape'
+import { scoreOf } from './score'
 import type { WorkerAnswer, WorkerQuestion } from './worker-protocol'
 
 const BETWEEN_REPORTS_MS = 50
@@ -26,17 +28,20 @@ function answer({ id, problem, plannerId, params, seed }: WorkerQuestion): void 
   }
   const outcome = plan(problem, plannerId, { params, seed, tape, progress })
   const milliseconds = performance.now() - began
-  const last = frameAt(tape, tape.length)
   const { columns, buffers } = tape.release()
-  send({ kind: 'planned', id, outcome, tape: columns, last, milliseconds }, [
+  const { last, checkpoints } = foldWhole(columns)
+  const score = scoreOf(columns)
+  send({ kind: 'planned', id, outcome, tape: columns, last, checkpoints, score, milliseconds }, [
     ...buffers,
-    ...frameBuffers(last),
+    ...[last, ...checkpoints].flatMap(frameBuffers),
+    score.steps.buffer,
+    score.landmarks.buffer,
   ])
 }
 
-function frameBuffers({ search, known, felt, fields }: Frame): ArrayBufferLike[] {
+function frameBuffers({ cells, fields }: Frame): ArrayBufferLike[] {
   const written = Object.values(fields).filter((field) => field !== null)
-  return [search, known, felt, ...written].map((array) => array.buffer)
+  return [cells, ...written].map((array) => array.buffer)
 }
 
 function send(message: WorkerAnswer, buffers: ArrayBufferLike[] = []): void {

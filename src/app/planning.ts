@@ -1,4 +1,5 @@
 import { planningWorker } from './planning-worker'
+import { keepScore } from './score'
 import { Solver } from './solver'
 import type { Tempo } from './speeds'
 import type { Shown, State } from './state'
@@ -33,8 +34,9 @@ export function planningFor(
   const solver = new Solver(planningWorker, () => performance.now(), {
     started: () => store.update(planStarted),
     progressed: (done) => store.update((state) => planProgressed(state, done)),
-    arrived({ setup, instant }, { outcome, tape, last, milliseconds }) {
-      const shown = { setup, instant, outcome, tape, last, milliseconds }
+    arrived({ setup, instant }, { outcome, tape, last, checkpoints, score, milliseconds }) {
+      keepScore(tape, score)
+      const shown = { setup, instant, outcome, tape, last, checkpoints, milliseconds }
       store.update((state) => planArrived(state, shown, welcome(shown)))
     },
     failed: ({ setup }, message) => store.update((state) => planFailed(state, setup, message)),
@@ -45,6 +47,7 @@ export function planningFor(
   }
   store.subscribe((now, before) => {
     if (now.setup !== before.setup) ask()
+    if (now.committed !== before.committed) solver.editEnded()
   })
   return {
     ask,

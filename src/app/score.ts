@@ -19,6 +19,11 @@ export function scoreOf(tape: TapeColumns): Score {
   return score
 }
 
+/** Takes over the score of a tape, as the worker has found it. */
+export function keepScore(tape: TapeColumns, score: Score): void {
+  scores.set(tape, score)
+}
+
 /** The number of the step that `time` ends or is in the middle of; 0 before the first. */
 export function stepAt({ steps }: Score, time: number): number {
   const ended = placeAfter(steps, time) - 1

@@ -25,11 +25,13 @@ export interface SolverEvents {
 
 /** How long a plan that nobody wants any more may go on before its worker is given up. */
 export const PATIENCE_MS = 100
+/** It grows while one run after the other is given up in a stroke: beginning anew is work too. */
+const MOST_PATIENCE_MS = 16 * PATIENCE_MS
 
 /**
  * Keeps one worker and asks it one thing at a time. While it works, only the latest request waits.
  * A plan that has been overtaken is still handed over if it comes soon: it is newer than what is on
- * screen, and so the path follows the pointer; after `PATIENCE_MS` its worker is replaced.
+ * screen, and so the path follows the pointer; when patience is at an end its worker is replaced.
  */
 export class Solver {
   readonly #makeWorker: () => WorkerLike
@@ -40,6 +42,7 @@ export class Solver {
     null
   #waiting: PlanRequest | null = null
   #questions = 0
+  #patience = PATIENCE_MS
 
   constructor(makeWorker: () => WorkerLike, now: () => number, events: SolverEvents) {
     this.#makeWorker = makeWorker
@@ -55,15 +58,23 @@ export class Solver {
 
   ask(request: PlanRequest): void {
     this.#waiting = request
+    if (!request.instant) this.#patience = PATIENCE_MS
     if (this.#running) this.tick()
     else this.#startWaiting()
   }
 
   /** To be called in every frame while a plan is worked on. */
   tick(): void {
-    if (!this.#running || !this.#waiting || this.elapsed <= PATIENCE_MS) return
+    if (!this.#running || !this.#waiting || this.elapsed <= this.#patience) return
+    this.#patience = Math.min(2 * this.#patience, MOST_PATIENCE_MS)
     this.#replaceWorker()
     this.#startWaiting()
+  }
+
+  /** The edit is over: what waits is what counts. */
+  editEnded(): void {
+    this.#patience = PATIENCE_MS
+    this.tick()
   }
 
   /** Gives up all that is worked on or waits; nothing of it arrives. */
@@ -122,6 +133,7 @@ export class Solver {
       return
     }
     this.#running = null
+    this.#patience = PATIENCE_MS
     // The worker goes on before the page takes its time to show the answer.
     this.#startWaiting()
     if (answer.kind === 'planned') this.#events.arrived(running.request, answer)

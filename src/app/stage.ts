@@ -13,6 +13,9 @@ import { played } from './transport'
 /** Shows a state, and the plan at the moment at which its cursor stands. */
 export type Panel = (state: State, moment: Moment | null) => void
 
+/** How long a frame may be painted on: what is left of a large map comes in the next one. */
+const PAINTING_MS = 4
+
 /**
  * What is seen: in the one animation frame of the page the playback goes on, the panels show the
  * state, the layout is measured, and the picture is drawn.
@@ -31,6 +34,7 @@ export class Stage {
   #rendered: State | null = null
   #layout: 'measured' | 'grown' | 'rearranged' = 'rearranged'
   #isRequested = false
+  #isOpen = false
 
   constructor(store: Store<State>, map: HTMLElement, tick: () => void) {
     this.#store = store
@@ -44,14 +48,16 @@ export class Stage {
       this.#request()
     })
     store.subscribe(() => {
+      if (!this.#isOpen) return
       this.#describe()
       this.#request()
     })
   }
 
-  /** The first frame comes next. */
+  /** The first frame comes next; there is none before. */
   open(panels: readonly Panel[]): void {
     this.#panels = panels
+    this.#isOpen = true
     this.#resize()
   }
 
@@ -69,7 +75,7 @@ export class Stage {
   }
 
   #request(): void {
-    if (this.#isRequested) return
+    if (this.#isRequested || !this.#isOpen) return
     this.#isRequested = true
     requestAnimationFrame((now) => this.#draw(now))
   }
@@ -82,8 +88,10 @@ export class Stage {
     if (this.#layout !== 'measured') this.#measure()
     const { state } = this.#store
     this.#rendered = state
-    this.#picture.draw(this.scene(), state.view)
-    if (state.playing || state.run.kind === 'running') this.#request()
+    const end = performance.now() + PAINTING_MS
+    const isPainted = this.#picture.draw(this.scene(), state.view, () => performance.now() > end)
+    this.#map.dataset.painted = String(isPainted)
+    if (state.playing || state.run.kind === 'running' || !isPainted) this.#request()
   }
 
   #play(now: number): void {

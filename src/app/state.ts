@@ -17,6 +17,8 @@ export interface Shown {
   readonly tape: TapeColumns
   /** The picture after the last event, folded in the worker. */
   readonly last: Frame
+  /** Pictures on the way there, from which the others are found. */
+  readonly checkpoints: readonly Frame[]
   /** How long `plan` took in the worker. */
   readonly milliseconds: number
   /** To be shown at once: it answers an edit during which the pointer was down. */

@@ -13,6 +13,7 @@ const YET_UNKNOWN = '–'
 export function stepNumbers({ shown, frame }: Moment): Row[] {
   const { tape, last, setup } = shown
   const { phases, variables, family } = plannerOf(setup)
+  const isThinned = tape.thinning !== 'whole'
   const rows: Row[] = []
   const row = (label: string, value: string) => rows.push({ label, value })
   const count = (value: number) => numberInWords(value)
@@ -23,12 +24,14 @@ export function stepNumbers({ shown, frame }: Moment): Row[] {
     row('Walked', countInWords(Math.max(0, frame.trail.length - 1), 'step'))
   }
   if (family === 'online') {
-    const side = frame.turn === 0 ? 'left' : 'right'
-    row('Boundary', frame.following ? `on the ${side}` : 'not followed')
+    const side = isThinned ? 'followed' : `on the ${frame.turn === 0 ? 'left' : 'right'}`
+    row('Boundary', frame.following ? side : 'not followed')
   }
   variables.forEach((name, i) => {
     // Not every way to plan decides by all of them.
     if (last.values[i] === undefined) return
+    // Nothing is known of it: a thinned tape leaves the values out.
+    if (isThinned && last.values[i] === undefined) return
     const value = frame.values[i]
     const label = `${name.charAt(0).toUpperCase()}${name.slice(1)}`
     // A variable's own name, such as d_reach, stays as the pseudocode writes it.
@@ -41,7 +44,7 @@ export function stepNumbers({ shown, frame }: Moment): Row[] {
   }
   if (last.open + last.closed > 0) {
     row('Cost', frame.open + frame.closed > 0 ? numberInWords(frame.cost) : YET_UNKNOWN)
-    row('Open', count(frame.open))
+    if (!isThinned) row('Open', count(frame.open))
     row('Closed', count(frame.closed))
   }
   return rows

@@ -3,6 +3,7 @@ import type { Outcome } from '../algorithms/plan'
 import type { Problem } from '../grid/problem'
 import type { Frame } from '../trace/frame'
 import type { TapeColumns } from '../trace/tape'
+import type { Score } from './score'
 import { type Setup, settingsOf } from './setup'
 
 /** What the page asks its planning worker. */
@@ -23,6 +24,8 @@ export type WorkerAnswer =
       readonly outcome: Outcome
       readonly tape: TapeColumns
       readonly last: Frame
+      readonly checkpoints: readonly Frame[]
+      readonly score: Score
       readonly milliseconds: number
     }
   | { readonly kind: 'refused'; readonly id: number; readonly message: string }

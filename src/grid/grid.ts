@@ -1,3 +1,5 @@
+import { noteEdit } from './edits'
+
 /** Index of a cell, `y * width + x`; (0, 0) is the top left of the map. */
 export type Cell = number
 
@@ -43,9 +45,10 @@ export const placeName = ({ x, y }: Point): string => `(${x}, ${y})`
 export const cellName = (width: number, cell: Cell): string => placeName(pointOf(width, cell))
 
 /** The grid with each of `cells` made an obstacle or free; the given grid is left as it is. */
-export function withCells(grid: Grid, cells: Iterable<Cell>, obstacle: boolean): Grid {
+export function withCells(grid: Grid, cells: readonly Cell[], obstacle: boolean): Grid {
   const walls = grid.walls.slice()
   for (const cell of cells) walls[cell] = obstacle ? 1 : 0
+  noteEdit(grid.walls, walls, cells)
   return { ...grid, walls }
 }
 

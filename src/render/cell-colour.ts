@@ -1,11 +1,11 @@
-import { KNOWN, SEARCH } from '../trace/frame'
+import { FELT_BIT, KNOWN, KNOWN_BITS, KNOWN_SHIFT, SEARCH, SEARCH_BITS } from '../trace/frame'
 import { pixelOf, rgbOf } from './colour'
 import { heatColours } from './heat'
 import type { Sight } from './scene'
 import type { Theme } from './theme'
 
 /** The theme's colours of cells as pixels. */
-export interface CellPalette {
+interface CellPalette {
   readonly free: number
   readonly open: number
   readonly closed: number
@@ -14,11 +14,9 @@ export interface CellPalette {
   readonly obstacle: number
   readonly unsensedObstacle: number
   readonly feltObstacle: number
-  /** One for each heat level. */
-  readonly heat: Uint32Array
 }
 
-export function cellPalette(theme: Theme): CellPalette {
+function cellPalette(theme: Theme): CellPalette {
   const pixel = (hex: string) => pixelOf(rgbOf(hex))
   return {
     free: pixel(theme.cell.free),
@@ -29,38 +27,54 @@ export function cellPalette(theme: Theme): CellPalette {
     obstacle: pixel(theme.obstacle.seen),
     unsensedObstacle: pixel(theme.obstacle.unsensed),
     feltObstacle: pixel(theme.obstacle.felt),
-    heat: Uint32Array.from(heatColours(theme), pixelOf),
   }
 }
 
+/** The pixel of each state that a cell can be in, and of each level of heat. */
+export interface CellColours {
+  /** By `stateOf`. */
+  readonly plain: Uint32Array
+  readonly heat: Uint32Array
+}
+
+const STATES = 64
+
 /**
- * The pixel of an obstacle.
- * @param known one of KNOWN; it does not count if the world is shown
+ * All that the colour of a cell without heat depends on, as one number: a map has millions of cells
+ * to look up.
+ * @param wall 1 for an obstacle
+ * @param cell its byte in a frame
  */
-export function obstacleColour(
-  palette: CellPalette,
-  sight: Sight,
-  known: number,
-  felt: number,
-): number {
+export const stateOf = (wall: number, cell: number): number => wall | (cell << 1)
+
+export function cellColours(theme: Theme, sight: Sight): CellColours {
+  const palette = cellPalette(theme)
+  const plain = Uint32Array.from({ length: STATES }, (_, state) => {
+    const [wall, cell] = [state & 1, state >> 1]
+    const known = (cell & KNOWN_BITS) >> KNOWN_SHIFT
+    return isShownObstacle(sight, wall, cell)
+      ? obstacleColour(palette, sight, known, (cell & FELT_BIT) !== 0)
+      : freeColour(palette, sight, known, cell & SEARCH_BITS)
+  })
+  return { plain, heat: Uint32Array.from(heatColours(theme), pixelOf) }
+}
+
+/**
+ * Whether a cell looks like an obstacle: it is one, and known if only what is known is shown.
+ * @param cell its byte in a frame
+ */
+export function isShownObstacle(sight: Sight, wall: number, cell: number): boolean {
+  const isKnown = (cell & KNOWN_BITS) >> KNOWN_SHIFT === KNOWN.obstacle || (cell & FELT_BIT) !== 0
+  return wall === 1 && (sight !== 'known' || isKnown)
+}
+
+function obstacleColour(palette: CellPalette, sight: Sight, known: number, felt: boolean): number {
   if (felt) return palette.feltObstacle
   const isVeiled = sight !== 'world' && known !== KNOWN.obstacle
   return isVeiled ? palette.unsensedObstacle : palette.obstacle
 }
 
-/**
- * The pixel of a free cell.
- * @param search one of SEARCH
- * @param heat the level of its potential; -1 if that is not shown
- */
-export function freeColour(
-  palette: CellPalette,
-  sight: Sight,
-  known: number,
-  search: number,
-  heat: number,
-): number {
-  if (heat >= 0) return palette.heat[heat]
+function freeColour(palette: CellPalette, sight: Sight, known: number, search: number): number {
   if (sight !== 'world') return known === KNOWN.unknown ? palette.unsensed : palette.sensed
   if (search === SEARCH.closed) return palette.closed
   return search === SEARCH.open ? palette.open : palette.free

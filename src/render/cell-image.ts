@@ -1,10 +1,13 @@
-import type { Field } from '../trace/frame'
+import type { Cell } from '../grid/grid'
+import type { Field, Frame } from '../trace/frame'
 import type { TapeColumns } from '../trace/tape'
-import { type CellPalette, cellPalette } from './cell-colour'
+import { type Box, GrowingBox } from './box'
+import { type CellColours, cellColours } from './cell-colour'
 import { type FieldRange, fieldRange } from './heat'
-import { type Box, emptyBox, paintCells, paintEdits, paintEvents } from './paint-cells'
+import { type CellStates, paintBox, paintEdits, paintEvents } from './paint-cells'
 import { planOnMap, type Scene, type Sight, sightOf } from './scene'
 import type { Theme } from './theme'
+import { type Tiling, tileAt, tilingOf } from './tiling'
 
 /** What an image was painted from. The frame is not kept: it changes under the same name. */
 interface Painted {
@@ -29,59 +32,136 @@ function paintedFrom(scene: Scene): Painted {
   return { width, height, walls, theme, tape, time, sight: sightOf(scene), field }
 }
 
-/** Whether `now` differs from `before` only by later events and edited walls. */
-function onlyAdds(before: Painted, now: Painted): boolean {
-  return (
-    now.width === before.width &&
-    now.height === before.height &&
-    now.theme === before.theme &&
-    now.tape === before.tape &&
-    now.time >= before.time &&
-    now.sight === before.sight &&
-    now.field === before.field
-  )
+const isSameSize = (before: Painted, now: Painted): boolean =>
+  now.width === before.width && now.height === before.height
+
+/** More events than this, for each cell, and it is quicker to paint the map than each event. */
+const MOST_EVENTS = 0.25
+
+/** Some events of a tape, up to `to`. */
+interface Stretch {
+  readonly tape: TapeColumns
+  readonly from: number
+  readonly to: number
 }
 
 /**
+ * The events whose cells may look different now, apart from edited walls: those that came or were
+ * taken back on the same tape, all of both if another plan has come. `null` if that cannot be said,
+ * or if they are too many.
+ */
+function eventsBetween(before: Painted, now: Painted): readonly Stretch[] | null {
+  const isSameKind =
+    now.theme === before.theme && now.sight === before.sight && now.field === before.field
+  const [from, to] = [Math.min(before.time, now.time), Math.max(before.time, now.time)]
+  const stretches =
+    now.tape === before.tape
+      ? [{ tape: now.tape, from, to }]
+      : [before, now].map(({ tape, time }) => ({ tape, from: 0, to: time }))
+  // Each field has colours of its own on each tape.
+  if (!isSameKind || (now.field && now.tape !== before.tape)) return null
+  const count = stretches.reduce((sum, stretch) => sum + stretch.to - stretch.from, 0)
+  if (count > Math.max(1024, MOST_EVENTS * now.width * now.height)) return null
+  return stretches.flatMap(({ tape, ...rest }) => (tape ? [{ tape, ...rest }] : []))
+}
+
+/** How an image is brought up to date a part at a time. */
+export interface Haste {
+  /** Whether a part of the map is on screen: those parts come first. */
+  isInView(box: Box): boolean
+  /** Whether what is left has to wait for the next time. */
+  isTimeUp(): boolean
+}
+
+const NO_HASTE: Haste = { isInView: () => true, isTimeUp: () => false }
+
+/**
  * The map as an image with one pixel a cell. It remembers what it shows and paints only what is
- * new: the cells of events that came since, and of walls that were edited.
+ * new: the cells of events that came since, and of walls that were edited. What changes as a whole
+ * it paints tile by tile, if it must not take long.
  */
 export class CellImage {
   pixels = new Uint32Array(0)
   /** Range of the field on show; `null` if none is. */
   fieldRange: FieldRange | null = null
   #painted: Painted | null = null
-  #palette: CellPalette | null = null
+  #colours: CellColours | null = null
+  #tiling: Tiling = { columns: 0, boxes: [] }
+  /** Tiles that show something older than the others. */
+  readonly #late = new Set<number>()
+  #fresh: readonly GrowingBox[] = []
 
-  /** Brings the image up to the scene. Says which cells it painted; `null` if none. */
-  update(scene: Scene): Box | null {
+  /** Whether all of it shows the latest scene. */
+  get isComplete(): boolean {
+    return this.#late.size === 0
+  }
+
+  /**
+   * Brings the image up to the scene; edited cells at once, however little time there is. Says which
+   * cells it painted, in each tile where it did.
+   */
+  update(scene: Scene, haste = NO_HASTE): readonly Box[] {
     const before = this.#painted
     const now = paintedFrom(scene)
     this.#painted = now
-    if (!this.#palette || now.theme !== before?.theme) this.#palette = cellPalette(now.theme)
-    if (now.tape !== before?.tape || now.field !== before.field) {
-      this.fieldRange = now.tape && now.field ? fieldRange(now.tape, now.field) : null
-    }
-    const states = {
-      walls: now.walls,
-      frame: planOnMap(scene)?.frame ?? null,
-      sight: now.sight,
-      fieldRange: this.fieldRange,
-    }
+    const states = this.#statesOf(now, before, planOnMap(scene)?.frame ?? null)
+    for (const box of this.#fresh) box.clear()
+    if (!before || !isSameSize(before, now)) this.#begin(now)
+    else this.#paintNew(before, now, states)
+    this.#paintLate(states, haste)
+    return this.#fresh.filter((box) => !box.isEmpty)
+  }
 
-    if (!before || !onlyAdds(before, now)) {
-      const cells = now.width * now.height
-      if (this.pixels.length !== cells) this.pixels = new Uint32Array(cells)
-      paintCells(this.pixels, states, this.#palette)
-      return { left: 0, top: 0, right: now.width, bottom: now.height }
+  #statesOf(now: Painted, before: Painted | null, frame: Frame | null): CellStates {
+    const { width, walls, sight, theme, tape, field } = now
+    if (!this.#colours || theme !== before?.theme || sight !== before.sight) {
+      this.#colours = cellColours(theme, sight)
     }
-    const box = emptyBox()
-    if (now.tape && now.time > before.time) {
-      paintEvents(this.pixels, states, this.#palette, now.tape, before.time, now.time, box)
+    if (tape !== before?.tape || field !== before.field) {
+      this.fieldRange = tape && field ? fieldRange(tape, field) : null
     }
-    if (now.walls !== before.walls) {
-      paintEdits(this.pixels, states, this.#palette, before.walls, now.width, box)
+    const colours = this.#colours
+    return { width, walls, frame, sight, fieldRange: this.fieldRange, colours }
+  }
+
+  #begin(now: Painted): void {
+    const cells = now.width * now.height
+    if (this.pixels.length !== cells) this.pixels = new Uint32Array(cells)
+    this.#tiling = tilingOf(now)
+    this.#fresh = this.#tiling.boxes.map(() => new GrowingBox())
+    this.#allAreLate()
+  }
+
+  #allAreLate(): void {
+    this.#tiling.boxes.forEach((_, tile) => {
+      this.#late.add(tile)
+    })
+  }
+
+  #paintNew(before: Painted, now: Painted, states: CellStates): void {
+    const painted = (cell: Cell) => {
+      const x = cell % now.width
+      const y = (cell - x) / now.width
+      this.#fresh[tileAt(this.#tiling, x, y)].include(x, y)
     }
-    return box.right > 0 ? box : null
+    const stretches = eventsBetween(before, now)
+    if (!stretches) this.#allAreLate()
+    for (const { tape, from, to } of stretches ?? []) {
+      paintEvents(this.pixels, states, tape, from, to, painted)
+    }
+    if (now.walls !== before.walls) paintEdits(this.pixels, states, before.walls, painted)
+  }
+
+  #paintLate(states: CellStates, { isInView, isTimeUp }: Haste): void {
+    const { boxes } = this.#tiling
+    const late = [...this.#late]
+    const inView = late.filter((tile) => isInView(boxes[tile]))
+    const others = late.filter((tile) => !inView.includes(tile))
+    for (const tile of [...inView, ...others]) {
+      if (isTimeUp()) return
+      paintBox(this.pixels, states, boxes[tile])
+      this.#fresh[tile].includeBox(boxes[tile])
+      this.#late.delete(tile)
+    }
   }
 }

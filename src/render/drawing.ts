@@ -1,6 +1,6 @@
 import type { Cell } from '../grid/grid'
 import { EVENT } from '../trace/events'
-import { type Frame, KNOWN } from '../trace/frame'
+import { type Frame, KNOWN, knownOf } from '../trace/frame'
 import type { FieldRange } from './heat'
 import { knownGrid } from './known-obstacles'
 import { drawHits, drawLeaves } from './layers/boundary-points'
@@ -16,14 +16,18 @@ import { drawRims } from './layers/rims'
 import { drawVertices } from './layers/roadmap'
 import { drawRoute } from './layers/route'
 import { drawRover, drawSensedSquare, headingOf } from './layers/rover'
-import { drawRowDots } from './layers/row-dots'
+import { DOTS_FROM, drawRowDots } from './layers/row-dots'
 import { drawTangentGraph } from './layers/tangent-graph'
 import { drawTarget } from './layers/target'
 import { drawLatestEdge, drawRefusal } from './layers/tried-edges'
 import type { Pen } from './pen'
-import type { Placement } from './placement'
+import { cellsAreAtLeast, type Placement } from './placement'
 import { planOnMap, type Scene, sightOf } from './scene'
 import type { Theme } from './theme'
+import { LINES_FROM } from './view'
+
+/** Smaller cells have their colour and nothing else. */
+const DETAILS_FROM = Math.min(DOTS_FROM, LINES_FROM)
 
 /** What lies directly upon the cells. @param range that of the field on show; `null` if none is */
 export function drawGround(
@@ -32,15 +36,17 @@ export function drawGround(
   scene: Scene,
   range: FieldRange | null,
 ): void {
+  if (!cellsAreAtLeast(place, DETAILS_FROM)) return
   const { theme, problem } = scene
   const frame = planOnMap(scene)?.frame
   const sight = sightOf(scene)
-  const isVeiled = (cell: Cell) => sight !== 'world' && frame?.known[cell] !== KNOWN.obstacle
+  const isVeiled = (cell: Cell) =>
+    sight !== 'world' && frame !== undefined && knownOf(frame, cell) !== KNOWN.obstacle
   const grid = frame && sight === 'known' ? knownGrid(problem.grid, frame, place) : problem.grid
   drawLines(pen, place, theme)
   drawRims(pen, place, grid, (cell) => (isVeiled(cell) ? theme.unsensedRim : theme.rim))
   if (!frame) return
-  drawFelt(pen, place, theme, grid, frame.felt)
+  drawFelt(pen, place, theme, grid, frame)
   drawRowDots(pen, place, theme, grid, dottedRows(scene))
   const field = frame.field && frame.fields[frame.field]
   if (field && range) drawPotentials(pen, place, theme, grid, field, range)
@@ -104,7 +110,8 @@ function drawMovement(pen: Pen, place: Placement, scene: Scene, frame: Frame): v
   const heading = headingOf(place.columns, frame.trail, problem.goal)
   if (rover !== problem.goal) drawTangentGraph(pen, place, theme, rover, nodes)
   if (target >= 0 && target !== rover) drawTarget(pen, place, theme, rover, target)
-  if (following) {
+  // On which side is not on a thinned tape.
+  if (following && scene.plan?.tape.thinning === 'whole') {
     if (atSide >= 0) drawAtSide(pen, place, theme, atSide)
     drawRail(pen, place, theme, rover, railAngle(place.columns, frame, heading), turn)
   }

@@ -3,7 +3,7 @@ import { CellImage } from './cell-image'
 import { drawGround, drawMarks, drawPlan } from './drawing'
 import { edgeLines } from './edge-lines'
 import type { FieldRange } from './heat'
-import { drawBorder, drawCells } from './layers/cells'
+import { drawBorder } from './layers/border'
 import { drawComparison } from './layers/comparison'
 import { drawEdges } from './layers/roadmap'
 import type { Pen } from './pen'
@@ -77,12 +77,11 @@ export async function pictureAsPng(scene: Scene, cellSize?: number): Promise<Blo
   const context = contextOf(canvas)
   const image = new CellImage()
   const cells = new CellCanvas()
-  const box = image.update(scene)
-  if (box) cells.take(image.pixels, scene.problem.grid, box)
+  cells.take(image.pixels, scene.problem.grid, image.update(scene))
   context.fillStyle = scene.theme.outside
   context.fillRect(0, 0, width, height)
   drawBorder(context, place, scene.theme)
-  drawCells(context, place, cells.canvas)
+  cells.draw(context, place)
   drawUponCells(context, place, scene, image.fieldRange)
   return new Promise((resolve, reject) => {
     canvas.toBlob((blob) => {

@@ -16,9 +16,11 @@ export const HEAT_LEVELS = 256
 export function fieldRange(tape: TapeColumns, field: Field): FieldRange | null {
   let min = Number.POSITIVE_INFINITY
   let max = Number.NEGATIVE_INFINITY
-  for (let i = 0; i < tape.length; i++) {
-    if (tape.kinds[i] !== EVENT[field]) continue
-    const value = tape.values[i]
+  const { kinds, values, length } = tape
+  const kind = EVENT[field]
+  for (let i = 0; i < length; i++) {
+    if (kinds[i] !== kind) continue
+    const value = values[i]
     if (!Number.isFinite(value)) continue
     if (value < min) min = value
     if (value > max) max = value

@@ -1,10 +1,11 @@
 import type { Cell, Grid } from '../grid/grid'
-import { type Frame, KNOWN } from '../trace/frame'
+import type { Frame } from '../trace/frame'
+import { isShownObstacle } from './cell-colour'
 import type { Placement } from './placement'
 
 /** Whether the rover knows the obstacle in a cell: its sensor saw it, or the rover felt it. */
-export function isKnownObstacle(walls: Uint8Array, { known, felt }: Frame, cell: Cell): boolean {
-  return walls[cell] === 1 && (known[cell] === KNOWN.obstacle || felt[cell] === 1)
+export function isKnownObstacle(walls: Uint8Array, { cells }: Frame, cell: Cell): boolean {
+  return isShownObstacle('known', walls[cell], cells[cell])
 }
 
 /** The map with the obstacles that the rover knows and no others, as far as it is on the screen. */

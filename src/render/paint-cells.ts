@@ -1,100 +1,102 @@
+import { editedCells } from '../grid/edits'
 import type { Cell } from '../grid/grid'
 import { EVENT } from '../trace/events'
 import type { Frame } from '../trace/frame'
 import type { TapeColumns } from '../trace/tape'
-import { type CellPalette, freeColour, obstacleColour } from './cell-colour'
+import type { Box } from './box'
+import { type CellColours, isShownObstacle, stateOf } from './cell-colour'
 import { type FieldRange, heatLevel } from './heat'
-import { isKnownObstacle } from './known-obstacles'
 import type { Sight } from './scene'
 
 /** What the colours of cells depend on. */
 export interface CellStates {
+  readonly width: number
   readonly walls: Uint8Array
   readonly frame: Frame | null
   readonly sight: Sight
   /** Range of the field that was written last; `null` if fields are not shown. */
   readonly fieldRange: FieldRange | null
-}
-
-/** The smallest box around the cells that were repainted; `right` and `bottom` lie outside it. */
-export interface Box {
-  left: number
-  top: number
-  right: number
-  bottom: number
-}
-
-export function emptyBox(): Box {
-  return { left: Number.POSITIVE_INFINITY, top: Number.POSITIVE_INFINITY, right: 0, bottom: 0 }
-}
-
-function include(box: Box, x: number, y: number): void {
-  if (x < box.left) box.left = x
-  if (y < box.top) box.top = y
-  if (x >= box.right) box.right = x + 1
-  if (y >= box.bottom) box.bottom = y + 1
+  readonly colours: CellColours
 }
 
 /** The pixel of a cell. */
-export function cellPixel(states: CellStates, palette: CellPalette, cell: Cell): number {
-  const { walls, frame, sight, fieldRange } = states
-  if (!frame) return walls[cell] ? palette.obstacle : palette.free
-  if (sight === 'known' ? isKnownObstacle(walls, frame, cell) : walls[cell]) {
-    return obstacleColour(palette, sight, frame.known[cell], frame.felt[cell])
-  }
+function cellPixel(states: CellStates, cell: Cell): number {
+  const { walls, frame, sight, fieldRange, colours } = states
+  if (!frame) return colours.plain[walls[cell]]
   const field = frame.field && frame.fields[frame.field]
-  const heat = field && fieldRange ? heatLevel(fieldRange, field[cell]) : -1
-  return freeColour(palette, sight, frame.known[cell], frame.search[cell], heat)
+  if (field && fieldRange && !isShownObstacle(sight, walls[cell], frame.cells[cell])) {
+    const level = heatLevel(fieldRange, field[cell])
+    if (level >= 0) return colours.heat[level]
+  }
+  return colours.plain[stateOf(walls[cell], frame.cells[cell])]
 }
 
-/** Paints every cell, one pixel each, row by row. */
-export function paintCells(pixels: Uint32Array, states: CellStates, palette: CellPalette): void {
-  for (let cell = 0; cell < pixels.length; cell++) {
-    pixels[cell] = cellPixel(states, palette, cell)
+/** Paints every cell of a box, one pixel each. */
+export function paintBox(pixels: Uint32Array, states: CellStates, box: Box): void {
+  const { width, walls, frame, fieldRange, colours } = states
+  const { plain } = colours
+  const hasHeat = frame?.field && fieldRange
+  for (let y = box.top; y < box.bottom; y++) {
+    const from = y * width + box.left
+    const to = y * width + box.right
+    if (!frame) {
+      for (let cell = from; cell < to; cell++) pixels[cell] = plain[walls[cell]]
+    } else if (hasHeat) {
+      for (let cell = from; cell < to; cell++) pixels[cell] = cellPixel(states, cell)
+    } else {
+      const { cells } = frame
+      for (let cell = from; cell < to; cell++) {
+        pixels[cell] = plain[stateOf(walls[cell], cells[cell])]
+      }
+    }
   }
+}
+
+/** Whether an event says something of how its cell looks, by its kind. */
+const isPainted = new Uint8Array(256)
+for (const kind of [
+  EVENT.open,
+  EVENT.close,
+  EVENT.sense,
+  EVENT.feel,
+  EVENT.attraction,
+  EVENT.repulsion,
+  EVENT.potential,
+]) {
+  isPainted[kind] = 1
 }
 
 /** Paints the cells whose state is told by the events `from` up to `to` of the tape. */
 export function paintEvents(
   pixels: Uint32Array,
   states: CellStates,
-  palette: CellPalette,
-  tape: TapeColumns,
+  { kinds, cells }: TapeColumns,
   from: number,
   to: number,
-  box: Box,
+  painted: (cell: Cell) => void,
 ): void {
   for (let i = from; i < to; i++) {
-    switch (tape.kinds[i]) {
-      case EVENT.open:
-      case EVENT.close:
-      case EVENT.sense:
-      case EVENT.feel:
-      case EVENT.attraction:
-      case EVENT.repulsion:
-      case EVENT.potential: {
-        const cell = tape.cells[i]
-        if (cell < 0) break
-        pixels[cell] = cellPixel(states, palette, cell)
-        include(box, cell % tape.width, Math.floor(cell / tape.width))
-      }
-    }
+    const cell = cells[i]
+    if (isPainted[kinds[i]] === 0 || cell < 0) continue
+    const pixel = cellPixel(states, cell)
+    // Many an event changes nothing that is seen: a cell is opened again, or closed by now.
+    if (pixels[cell] === pixel && !states.fieldRange) continue
+    pixels[cell] = pixel
+    painted(cell)
   }
 }
 
-/** Paints the cells that were built up or cleared since `before`, on a map `width` cells wide. */
+/** Paints the cells that were built up or cleared since `before`. */
 export function paintEdits(
   pixels: Uint32Array,
   states: CellStates,
-  palette: CellPalette,
   before: Uint8Array,
-  width: number,
-  box: Box,
+  painted: (cell: Cell) => void,
 ): void {
   const { walls } = states
-  for (let cell = 0; cell < walls.length; cell++) {
+  for (const cell of editedCells(before, walls)) {
     if (walls[cell] === before[cell]) continue
-    pixels[cell] = cellPixel(states, palette, cell)
-    include(box, cell % width, Math.floor(cell / width))
+    pixels[cell] = cellPixel(states, cell)
+    painted(cell)
   }
 }

@@ -1,13 +1,22 @@
 import type { Cell } from '../grid/grid'
 import type { TapeColumns } from '../trace/tape'
+import type { Box } from './box'
 import { CellCanvas } from './cell-canvas'
 import { CellImage } from './cell-image'
 import { dottedRows, drawGround, drawMarks, drawPlan, latestEdge } from './drawing'
 import { edgeLines } from './edge-lines'
-import { drawBorder, drawCells } from './layers/cells'
+import { drawBorder } from './layers/border'
 import { drawComparison } from './layers/comparison'
 import { drawEdges } from './layers/roadmap'
-import { type DeviceScreen, type Placement, placeMap } from './placement'
+import { DOTS_FROM } from './layers/row-dots'
+import {
+  cellsAreAtLeast,
+  type DeviceScreen,
+  isBoxVisible,
+  type Placement,
+  placeMap,
+  placeOfBox,
+} from './placement'
 import { planOnMap, type Scene } from './scene'
 import { Sheet } from './sheet'
 import type { View } from './view'
@@ -25,7 +34,6 @@ export class Picture {
   readonly #comparison: Sheet
   readonly #marks: Sheet
   #screen: DeviceScreen = { width: 0, height: 0, pixel: 1 }
-  #paintings = 0
   #edgesTape: TapeColumns | undefined
   #edges = 0
   #lines: readonly Cell[] = []
@@ -48,21 +56,23 @@ export class Picture {
     }
   }
 
-  /** Draws what has changed since the last time. To be called once in an animation frame. */
-  draw(scene: Scene, view: View): void {
+  /**
+   * Draws what has changed since the last time, in as much time as there is in a frame. To be called
+   * once in an animation frame, and in the next one as well if it returns that not all is drawn yet.
+   */
+  draw(scene: Scene, view: View, isTimeUp = () => false): boolean {
     const { grid } = scene.problem
-    const box = this.#image.update(scene)
-    if (box) {
-      this.#cells.take(this.#image.pixels, grid, box)
-      this.#paintings++
-    }
     const place = placeMap(view, grid, this.#screen)
+    const isInView = (box: Box) => isBoxVisible(place, box)
+    const painted = this.#image.update(scene, { isInView, isTimeUp })
+    this.#cells.take(this.#image.pixels, grid, painted)
     const ground = [place.left, place.top, place.cell, grid.width, grid.height, scene.theme]
-    this.#drawGround(scene, place, ground)
+    this.#drawGround(scene, place, ground, painted.filter(isInView))
     this.#drawRoadmap(scene, place, ground)
     this.#drawPlan(scene, place, ground)
     this.#drawComparison(scene, place, ground)
     this.#drawMarks(scene, place, ground)
+    return this.#image.isComplete
   }
 
   /** Takes the canvases out of the page. */
@@ -74,13 +84,33 @@ export class Picture {
     return [this.#ground, this.#roadmap, this.#plan, this.#comparison, this.#marks]
   }
 
-  #drawGround(scene: Scene, place: Placement, ground: readonly unknown[]): void {
-    if (!this.#ground.isOutdated([...ground, this.#paintings, dottedRows(scene)])) return
-    const { context } = this.#ground
-    this.#ground.fill(scene.theme.outside)
-    drawBorder(context, place, scene.theme)
-    drawCells(context, place, this.#cells.canvas)
-    drawGround(context, place, scene, this.#image.fieldRange)
+  /** All of it, or only around the cells that were painted. */
+  #drawGround(
+    scene: Scene,
+    place: Placement,
+    ground: readonly unknown[],
+    painted: readonly Box[],
+  ): void {
+    const rows = cellsAreAtLeast(place, DOTS_FROM) ? dottedRows(scene) : 0
+    const isOutdated = this.#ground.isOutdated([...ground, rows])
+    if (!isOutdated && painted.length === 0) return
+    const range = this.#image.fieldRange
+    const draw = (part: Placement) => {
+      this.#ground.fill(scene.theme.outside)
+      drawBorder(this.#ground.context, place, scene.theme)
+      this.#cells.draw(this.#ground.context, place, part)
+      drawGround(this.#ground.context, part, scene, range)
+    }
+    if (isOutdated) {
+      draw(place)
+      return
+    }
+    // What a cell looks like can be seen in the pixels and the rims around it.
+    const margin = 1 + Math.ceil(2 / place.cell)
+    for (const box of painted) {
+      const part = placeOfBox(place, box, margin)
+      this.#ground.within(part, () => draw(placeOfBox(place, box, margin + 1)))
+    }
   }
 
   #drawRoadmap(scene: Scene, place: Placement, ground: readonly unknown[]): void {
@@ -92,8 +122,9 @@ export class Picture {
       this.#lines = edgeLines(place.columns, place.rows, edges)
     }
     if (!this.#roadmap.isOutdated([...ground, this.#lines])) return
-    this.#roadmap.clear()
-    drawEdges(this.#roadmap.context, place, scene.theme, this.#lines)
+    this.#roadmap.redraw(this.#lines.length > 0, () =>
+      drawEdges(this.#roadmap.context, place, scene.theme, this.#lines),
+    )
   }
 
   /** Later frames of a tape only have more of everything, so the counts tell what is drawn. */
@@ -109,15 +140,17 @@ export class Picture {
       frame?.leaves.length,
     ]
     if (!this.#plan.isOutdated([...ground, plan?.tape, ...counts])) return
-    this.#plan.clear()
-    if (frame) drawPlan(this.#plan.context, place, scene.theme, frame)
+    this.#plan.redraw(counts.some(Boolean), () => {
+      if (frame) drawPlan(this.#plan.context, place, scene.theme, frame)
+    })
   }
 
   #drawComparison(scene: Scene, place: Placement, ground: readonly unknown[]): void {
     const paths = scene.comparison.flatMap(({ path, style }) => [path, style])
     if (!this.#comparison.isOutdated([...ground, ...paths])) return
-    this.#comparison.clear()
-    drawComparison(this.#comparison.context, place, scene.theme, scene.comparison)
+    this.#comparison.redraw(paths.length > 0, () =>
+      drawComparison(this.#comparison.context, place, scene.theme, scene.comparison),
+    )
   }
 
   #drawMarks(scene: Scene, place: Placement, ground: readonly unknown[]): void {
@@ -142,7 +175,6 @@ export class Picture {
     ]
     const lists = [...latestEdge(scene), null, ...(frame?.nodes ?? [])]
     if (!this.#marks.isOutdated([...ground, ...inputs, ...lists])) return
-    this.#marks.clear()
-    drawMarks(this.#marks.context, place, scene)
+    this.#marks.redraw(true, () => drawMarks(this.#marks.context, place, scene))
   }
 }

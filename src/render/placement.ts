@@ -1,4 +1,5 @@
 import type { Cell, Grid } from '../grid/grid'
+import type { Box } from './box'
 import type { View } from './view'
 
 /** Size of the screen in device pixels, and how many of them make a CSS pixel. */
@@ -47,6 +48,22 @@ export function placeMap(
     fromY: Math.max(0, Math.floor(-top / cell)),
     toY: Math.min(height, Math.ceil((screen.height - top) / cell)),
   }
+}
+
+/** The part of a placement in which some cells lie, with `margin` cells around them. */
+export function placeOfBox(place: Placement, box: Box, margin: number): Placement {
+  return {
+    ...place,
+    fromX: Math.max(place.fromX, box.left - margin),
+    toX: Math.min(place.toX, box.right + margin),
+    fromY: Math.max(place.fromY, box.top - margin),
+    toY: Math.min(place.toY, box.bottom + margin),
+  }
+}
+
+/** Whether any cell of a box can be seen. */
+export function isBoxVisible(place: Placement, { left, top, right, bottom }: Box): boolean {
+  return left < place.toX && right > place.fromX && top < place.toY && bottom > place.fromY
 }
 
 /** The device pixel at which column or row `i` begins: whole, so that neighbours meet exactly. */

@@ -1,10 +1,12 @@
 import { contextOf } from './cell-canvas'
+import { edgeX, edgeY, type Placement } from './placement'
 
 /** One of the canvases on top of each other. It remembers what it was drawn from. */
 export class Sheet {
   readonly context: CanvasRenderingContext2D
   readonly #canvas: HTMLCanvasElement
   #drawnFrom: readonly unknown[] = []
+  #isBlank = true
 
   constructor(host: HTMLElement, name: string) {
     this.#canvas = document.createElement('canvas')
@@ -22,6 +24,7 @@ export class Sheet {
     this.#canvas.style.width = `${width}px`
     this.#canvas.style.height = `${height}px`
     this.#drawnFrom = []
+    this.#isBlank = true
   }
 
   /** Whether any of the things it is drawn from is another than when this was asked last. */
@@ -31,13 +34,32 @@ export class Sheet {
     return by.length !== before.length || by.some((input, i) => !Object.is(input, before[i]))
   }
 
-  clear(): void {
+  /**
+   * Draws it anew. A sheet that was blank and stays so is left alone: to hand over a canvas as large
+   * as the screen takes the browser longer than most drawings do.
+   */
+  redraw(hasContent: boolean, draw: () => void): void {
+    if (!hasContent && this.#isBlank) return
     this.context.clearRect(0, 0, this.#canvas.width, this.#canvas.height)
+    this.#isBlank = !hasContent
+    if (hasContent) draw()
   }
 
   fill(colour: string): void {
     this.context.fillStyle = colour
     this.context.fillRect(0, 0, this.#canvas.width, this.#canvas.height)
+  }
+
+  /** Draws on that part of it only in which the placement's cells lie. */
+  within(part: Placement, draw: () => void): void {
+    const { context } = this
+    const [left, top] = [edgeX(part, part.fromX), edgeY(part, part.fromY)]
+    context.save()
+    context.beginPath()
+    context.rect(left, top, edgeX(part, part.toX) - left, edgeY(part, part.toY) - top)
+    context.clip()
+    draw()
+    context.restore()
   }
 
   remove(): void {

@@ -1,5 +1,6 @@
 import type { Cell } from '../grid/grid'
-import { EVENT } from './events'
+import { EVENT, type EventKind } from './events'
+import { type Frame, isFelt, KNOWN, knownOf, SEARCH, searchOf } from './frame'
 import type { TapeColumns } from './tape'
 
 /** What the planner knows of one cell at one moment. `null` and empty lists: nothing so far. */
@@ -31,102 +32,95 @@ export interface CellFacts {
   readonly node: number | null
 }
 
-type Writable<T> = { -readonly [Name in keyof T]: T[Name] }
+/**
+ * What a tape tells of `cell` up to the moment of `frame`. The frame knows most of it, and whether
+ * there is anything to look for on the tape, which may be long.
+ */
+export function cellFacts(tape: TapeColumns, frame: Frame, cell: Cell): CellFacts {
+  const { attraction, repulsion, potential } = frame.fields
+  const { rows, vertices, trail, mLine, path, hits, leaves, nodes } = frame
+  const row = Math.floor(cell / tape.width)
+  const numbers = (list: readonly Cell[], kind: EventKind) =>
+    list.includes(cell) ? eventsAt(tape, frame.time, cell, kind).map((i) => tape.values[i]) : []
+  const [node] = nodes.includes(cell) ? numbers(nodes, EVENT.node).slice(-1) : []
+  return {
+    isVertex: row < rows || vertices.includes(cell),
+    edges: edgesAt(frame, cell),
+    ...searchAt(tape, frame, cell),
+    attraction: valueAt(attraction, cell),
+    repulsion: valueAt(repulsion, cell),
+    potential: valueAt(potential, cell),
+    sensed: sensedAt(tape, frame, cell),
+    isFelt: isFelt(frame, cell),
+    visits: placesOf(trail, cell),
+    onMLine: placesOf(mLine, cell).at(-1) ?? null,
+    onPath: placesOf(path, cell).at(-1) ?? null,
+    hits: numbers(hits, EVENT.hit),
+    leaves: numbers(leaves, EVENT.leave),
+    node: node ?? null,
+  }
+}
 
-/** Reads a tape up to the moment after its first `time` events, for what it tells of `cell`. */
-export function cellFacts(tape: TapeColumns, time: number, cell: Cell): CellFacts {
-  const { kinds, cells, others, values, width } = tape
-  const hits: number[] = []
-  const leaves: number[] = []
-  const visits: number[] = []
-  const facts: Writable<CellFacts> = {
-    isVertex: false,
-    edges: 0,
-    search: null,
-    cost: null,
-    parent: null,
-    attraction: null,
-    repulsion: null,
-    potential: null,
-    sensed: null,
-    isFelt: false,
-    visits,
-    onMLine: null,
-    onPath: null,
-    hits,
-    leaves,
-    node: null,
+function placesOf(list: readonly Cell[], cell: Cell): number[] {
+  const places: number[] = []
+  for (let i = list.indexOf(cell); i >= 0; i = list.indexOf(cell, i + 1)) places.push(i)
+  return places
+}
+
+function edgesAt({ edges }: Frame, cell: Cell): number {
+  let count = 0
+  for (let i = 0; i + 1 < edges.length; i += 2) {
+    if (edges[i] === cell || edges[i + 1] === cell) count++
   }
-  const row = cell - (cell % width)
-  const end = Math.min(time, tape.length)
+  return count
+}
+
+const valueAt = (field: Float64Array | null, cell: Cell): number | null =>
+  field === null || Number.isNaN(field[cell]) ? null : field[cell]
+
+/** The latest event of one of the kinds at a cell before `time`; -1 if there is none. */
+function latestAt(
+  { kinds, cells }: TapeColumns,
+  time: number,
+  cell: Cell,
+  ...wanted: readonly number[]
+): number {
+  let i = time === 0 ? -1 : cells.lastIndexOf(cell, time - 1)
+  while (i >= 0 && !wanted.includes(kinds[i])) i = i === 0 ? -1 : cells.lastIndexOf(cell, i - 1)
+  return i
+}
+
+/** All events of a kind at a cell before `time`, in their order. */
+function eventsAt(tape: TapeColumns, time: number, cell: Cell, kind: EventKind): number[] {
+  const events: number[] = []
+  for (let i = latestAt(tape, time, cell, kind); i >= 0; i = latestAt(tape, i, cell, kind)) {
+    events.push(i)
+  }
+  return events.reverse()
+}
+
+function searchAt(
+  tape: TapeColumns,
+  frame: Frame,
+  cell: Cell,
+): Pick<CellFacts, 'search' | 'cost' | 'parent'> {
+  const search = searchOf(frame, cell)
+  if (search === SEARCH.untouched) return { search: null, cost: null, parent: null }
+  const latest = latestAt(tape, frame.time, cell, EVENT.open, EVENT.close)
+  const opened = latestAt(tape, latest + 1, cell, EVENT.open)
+  return {
+    search: search === SEARCH.open ? 'open' : 'closed',
+    cost: tape.values[latest],
+    // A thinned tape does not tell by which way it was reached.
+    parent: opened < 0 ? null : tape.others[opened],
+  }
+}
+
+function sensedAt(tape: TapeColumns, frame: Frame, cell: Cell): CellFacts['sensed'] {
+  const known = knownOf(frame, cell)
+  if (known === KNOWN.unknown) return null
+  const sensed = latestAt(tape, frame.time, cell, EVENT.sense)
   let steps = 0
-  let mLine = 0
-  let path = 0
-  for (let i = 0; i < end; i++) {
-    const isHere = cells[i] === cell
-    switch (kinds[i]) {
-      case EVENT.row:
-        if (cells[i] === row) facts.isVertex = true
-        break
-      case EVENT.vertex:
-        if (isHere) facts.isVertex = true
-        break
-      case EVENT.edge:
-        if (isHere || others[i] === cell) facts.edges++
-        break
-      case EVENT.open:
-        if (!isHere) break
-        facts.search = 'open'
-        facts.cost = values[i]
-        facts.parent = others[i]
-        break
-      case EVENT.close:
-        if (!isHere) break
-        facts.search = 'closed'
-        facts.cost = values[i]
-        break
-      case EVENT.path:
-        if (isHere) facts.onPath = path
-        path++
-        break
-      case EVENT.attraction:
-        if (isHere) facts.attraction = values[i]
-        break
-      case EVENT.repulsion:
-        if (isHere) facts.repulsion = values[i]
-        break
-      case EVENT.potential:
-        if (isHere) facts.potential = values[i]
-        break
-      case EVENT.step:
-        if (isHere) visits.push(steps)
-        steps++
-        break
-      case EVENT.sense:
-        if (isHere) facts.sensed = { isObstacle: others[i] === 1, walked: Math.max(0, steps - 1) }
-        break
-      case EVENT.mLine:
-        if (isHere) facts.onMLine = mLine
-        mLine++
-        break
-      case EVENT.hit:
-        if (isHere) hits.push(values[i])
-        facts.node = null
-        break
-      case EVENT.leave:
-        if (isHere) leaves.push(values[i])
-        facts.node = null
-        break
-      case EVENT.feel:
-        if (isHere) facts.isFelt = true
-        break
-      case EVENT.scan:
-        facts.node = null
-        break
-      case EVENT.node:
-        if (isHere) facts.node = values[i]
-        break
-    }
-  }
-  return facts
+  for (let i = 0; i < sensed; i++) if (tape.kinds[i] === EVENT.step) steps++
+  return { isObstacle: known === KNOWN.obstacle, walked: Math.max(0, steps - 1) }
 }

@@ -2,6 +2,7 @@ import { type Cell, cellName } from '../grid/grid'
 import { EVENT, STATUSES, type Status } from './events'
 import type { Frame } from './frame'
 import type { TapeColumns } from './tape'
+import type { Thinning } from './thinning'
 
 const SIDES = ['left', 'right'] as const
 
@@ -67,7 +68,7 @@ export function explain(
     case EVENT.potential:
       return `Row ${row}: attraction and repulsion added up.`
     case EVENT.step:
-      return explainStep(name, cell, other, frame)
+      return explainStep(name, cell, other, frame, tape.thinning)
     case EVENT.sense:
       return `The rover senses what is around ${name(frame.rover)}.`
     case EVENT.scan:
@@ -80,8 +81,12 @@ export function explain(
     }
     case EVENT.mLine:
       return `The m-line: the simplest path from start to goal, ${count(frame.mLine.length, 'cell')}.`
-    case EVENT.hit:
-      return `${other < 0 ? 'The border of the map' : `${name(other)} is an obstacle`}: hit point ${value}, follow the boundary with the obstacle on the ${SIDES[frame.turn]}.`
+    case EVENT.hit: {
+      const what = other < 0 ? 'The border of the map' : `${name(other)} is an obstacle`
+      // Which way round is not on a thinned tape.
+      const side = tape.thinning === 'whole' ? ` with the obstacle on the ${SIDES[frame.turn]}` : ''
+      return `${what}: hit point ${value}, follow the boundary${side}.`
+    }
     case EVENT.around:
       return `Round the obstacle once, in ${count(value, 'step')}, and back at ${name(cell)}.`
     case EVENT.leave:
@@ -93,9 +98,17 @@ export function explain(
   }
 }
 
-function explainStep(name: (cell: Cell) => string, cell: Cell, from: Cell, frame: Frame): string {
+function explainStep(
+  name: (cell: Cell) => string,
+  cell: Cell,
+  from: Cell,
+  frame: Frame,
+  thinning: Thinning,
+): string {
   if (from < 0) return `Start at ${name(cell)}.`
   if (!frame.following) return `Step to ${name(cell)}: the way is free.`
+  // Neither what it heads for nor what it keeps at its side is on a thinned tape.
+  if (thinning !== 'whole') return `Step to ${name(cell)}, along the boundary.`
   // Only Bug1 heads for a place while it is at the boundary: back to the nearest one.
   if (frame.target >= 0)
     return `Step to ${name(cell)}, along the boundary to ${name(frame.target)}.`

@@ -1,5 +1,4 @@
 import type { Cell } from '../grid/grid'
-import { EVENT } from './events'
 import type { TapeColumns } from './tape'
 
 /** What the search knows of a cell. */
@@ -25,6 +24,22 @@ export interface Refusal {
 /** What the rover knows of a cell. */
 export const KNOWN = { unknown: 0, free: 1, obstacle: 2 } as const
 
+/** Where in a cell's byte stands what: two bits, two bits, one bit. */
+export const SEARCH_BITS = 3
+export const KNOWN_SHIFT = 2
+export const KNOWN_BITS = 3 << KNOWN_SHIFT
+export const FELT_BIT = 1 << 4
+
+/** One of SEARCH. */
+export const searchOf = ({ cells }: Frame, cell: Cell): number => cells[cell] & SEARCH_BITS
+
+/** One of KNOWN. */
+export const knownOf = ({ cells }: Frame, cell: Cell): number =>
+  (cells[cell] & KNOWN_BITS) >> KNOWN_SHIFT
+
+/** Whether the rover felt the obstacle in a cell. */
+export const isFelt = ({ cells }: Frame, cell: Cell): boolean => (cells[cell] & FELT_BIT) !== 0
+
 /**
  * The picture after the first `time` events of a tape. Events only add ink, so any frame is a fold
  * from the start; what is transient (the rover's place, the target) is the latest of its kind.
@@ -33,10 +48,11 @@ export interface Frame {
   time: number
   /** Which of the planner's phases it is in; -1 before the first. */
   phase: number
-  /** For each cell one of SEARCH, one of KNOWN, whether the rover felt it. */
-  readonly search: Uint8Array
-  readonly known: Uint8Array
-  readonly felt: Uint8Array
+  /**
+   * For each cell what the search and the rover know of it, in one byte, because a large map has
+   * millions of them: read it with `searchOf`, `knownOf` and `isFelt`.
+   */
+  readonly cells: Uint8Array
   /** How many cells are open and closed, and the latest cost of one. */
   open: number
   closed: number
@@ -60,7 +76,7 @@ export interface Frame {
   readonly path: Cell[]
   /** Nodes of the local tangent graph; it counts until an obstacle stops the rover or is left. */
   readonly nodes: Cell[]
-  /** -1 while there is none; `felt` obstacle cells apart, `atSide` is the one at the rover's side now. */
+  /** -1 while there is none; felt obstacle cells apart, `atSide` is the one at the rover's side now. */
   rover: Cell
   target: Cell
   atSide: Cell
@@ -78,9 +94,7 @@ export function firstFrame({ width, height }: TapeColumns): Frame {
   return {
     time: 0,
     phase: -1,
-    search: new Uint8Array(cells),
-    known: new Uint8Array(cells),
-    felt: new Uint8Array(cells),
+    cells: new Uint8Array(cells),
     open: 0,
     closed: 0,
     cost: 0,
@@ -117,9 +131,7 @@ export function copyOf(frame: Frame): Frame {
   }
   return {
     ...frame,
-    search: frame.search.slice(),
-    known: frame.known.slice(),
-    felt: frame.felt.slice(),
+    cells: frame.cells.slice(),
     fields,
     vertices: frame.vertices.slice(),
     edges: frame.edges.slice(),
@@ -131,120 +143,4 @@ export function copyOf(frame: Frame): Frame {
     nodes: frame.nodes.slice(),
     values: frame.values.slice(),
   }
-}
-
-/** Folds the events from `frame.time` up to `time` into the frame. */
-export function advance(frame: Frame, tape: TapeColumns, time: number): void {
-  const end = Math.min(time, tape.length)
-  for (let i = frame.time; i < end; i++) fold(frame, tape, i)
-  if (end > 0) frame.line = tape.lines[end - 1]
-  frame.time = end
-}
-
-/** The frame after the first `time` events; all of them if `time` is larger. */
-export function frameAt(tape: TapeColumns, time: number): Frame {
-  const frame = firstFrame(tape)
-  advance(frame, tape, time)
-  return frame
-}
-
-function fold(frame: Frame, tape: TapeColumns, i: number): void {
-  const cell = tape.cells[i]
-  const other = tape.others[i]
-  const value = tape.values[i]
-  switch (tape.kinds[i]) {
-    case EVENT.phase:
-      frame.phase = other
-      frame.test = null
-      frame.refusal = null
-      break
-    case EVENT.row:
-      frame.rows++
-      break
-    case EVENT.test:
-      frame.test = { cell, obstacle: other, passed: value === 1 }
-      break
-    case EVENT.vertex:
-      frame.vertices.push(cell)
-      break
-    case EVENT.edge:
-      frame.edges.push(cell, other)
-      frame.refusal = null
-      break
-    case EVENT.refuse:
-      frame.refusal = { from: cell, to: other, at: value }
-      break
-    case EVENT.open:
-      if (frame.search[cell] !== SEARCH.open) frame.open++
-      frame.search[cell] = SEARCH.open
-      frame.cost = value
-      break
-    case EVENT.close:
-      frame.open--
-      frame.closed++
-      frame.search[cell] = SEARCH.closed
-      frame.cost = value
-      break
-    case EVENT.path:
-      frame.path.push(cell)
-      break
-    case EVENT.attraction:
-      fieldOf(frame, 'attraction')[cell] = value
-      break
-    case EVENT.repulsion:
-      fieldOf(frame, 'repulsion')[cell] = value
-      break
-    case EVENT.potential:
-      fieldOf(frame, 'potential')[cell] = value
-      break
-    case EVENT.step:
-      frame.trail.push(cell)
-      frame.rover = cell
-      break
-    case EVENT.sense:
-      frame.known[cell] = other ? KNOWN.obstacle : KNOWN.free
-      break
-    case EVENT.target:
-      frame.target = cell
-      // Who heads for a place goes straight there, or back along a boundary.
-      frame.atSide = -1
-      break
-    case EVENT.mLine:
-      frame.mLine.push(cell)
-      break
-    case EVENT.hit:
-      frame.hits.push(cell)
-      frame.following = true
-      frame.target = -1
-      frame.nodes.length = 0
-      break
-    case EVENT.turn:
-      frame.turn = other
-      break
-    case EVENT.feel:
-      frame.atSide = cell
-      if (cell >= 0) frame.felt[cell] = 1
-      break
-    case EVENT.leave:
-      frame.leaves.push(cell)
-      frame.following = false
-      frame.target = -1
-      frame.nodes.length = 0
-      break
-    case EVENT.scan:
-      frame.nodes.length = 0
-      break
-    case EVENT.node:
-      frame.nodes.push(cell)
-      break
-    case EVENT.value:
-      frame.values[other] = value
-      break
-  }
-}
-
-function fieldOf(frame: Frame, field: Field): Float64Array {
-  frame.field = field
-  frame.fields[field] ??= new Float64Array(frame.search.length).fill(Number.NaN)
-  return frame.fields[field]
 }

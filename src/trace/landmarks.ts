@@ -56,7 +56,11 @@ export function stepsOf(tape: TapeColumns): Int32Array {
 
 /** Of the moments of `stepsOf` those that a landmark led to: a hit or leave point, a new phase, the end. */
 export function landmarksOf(tape: TapeColumns, steps: Int32Array): Int32Array {
-  return steps.filter((_, i) => i > 0 && isLandmark[tape.kinds[steps[i - 1]]])
+  const moments: number[] = []
+  for (let i = 1; i < steps.length; i++) {
+    if (isLandmark[tape.kinds[steps[i - 1]]]) moments.push(steps[i])
+  }
+  return Int32Array.from(moments)
 }
 
 /** The first moment after `time`; the last one if there is none. Moments rise. */

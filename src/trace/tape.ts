@@ -1,5 +1,14 @@
 import type { Cell } from '../grid/grid'
 import type { EventKind } from './events'
+import { LEFT_OUT, type Thinning } from './thinning'
+
+const FIRST_ROOM = 1024
+
+/**
+ * So many events make about 180 MB. A tape that comes to so many leaves out what is small from its
+ * first event on; if that is not enough, all that comes later.
+ */
+const MOST_EVENTS = 10_000_000
 
 /** The columns of a tape, one entry an event; the arrays may be longer than `length`. */
 export interface TapeColumns {
@@ -13,6 +22,7 @@ export interface TapeColumns {
   readonly cells: Int32Array
   readonly others: Int32Array
   readonly values: Float64Array
+  readonly thinning: Thinning
 }
 
 /**
@@ -23,17 +33,28 @@ export class Tape implements TapeColumns {
   width = 0
   height = 0
   length = 0
-  kinds = new Uint8Array(1024)
-  lines = new Uint8Array(1024)
-  cells = new Int32Array(1024)
-  others = new Int32Array(1024)
-  values = new Float64Array(1024)
+  kinds = new Uint8Array(FIRST_ROOM)
+  lines = new Uint8Array(FIRST_ROOM)
+  cells = new Int32Array(FIRST_ROOM)
+  others = new Int32Array(FIRST_ROOM)
+  values = new Float64Array(FIRST_ROOM)
+  thinning: Thinning = 'whole'
+  readonly #most: number
+  /** While there are fewer events than this, writing needs no thought. */
+  #easy = FIRST_ROOM
   /** Where the planner is in its pseudocode; every event is stamped with it. */
   line = 0
 
+  /** @param most how many events there may be before some are left out */
+  constructor(most = MOST_EVENTS) {
+    this.#most = most
+  }
+
   /** A tape around columns that came from a worker. */
   static from(columns: TapeColumns): Tape {
-    return Object.assign(new Tape(), columns)
+    const tape = Object.assign(new Tape(), columns)
+    tape.#markEasy()
+    return tape
   }
 
   /** Forgets what is written and starts anew for a map of this size. */
@@ -42,6 +63,13 @@ export class Tape implements TapeColumns {
     this.height = height
     this.length = 0
     this.line = 0
+    this.#thin('whole')
+  }
+
+  /** Makes room for so many more events at once: growing bit by bit takes longer than writing. */
+  reserve(events: number): void {
+    const room = Math.min(this.length + events, this.#most)
+    if (room > this.kinds.length) this.#resize(room)
   }
 
   /** The cell at (x, y); -1 outside the map. */
@@ -57,8 +85,8 @@ export class Tape implements TapeColumns {
   }
 
   write(kind: EventKind, cell: Cell = -1, other = -1, value = 0): void {
+    if (this.length >= this.#easy && !this.#makeRoomFor(kind)) return
     const i = this.length
-    if (i === this.kinds.length) this.grow()
     this.kinds[i] = kind
     this.lines[i] = this.line
     this.cells[i] = cell
@@ -67,34 +95,74 @@ export class Tape implements TapeColumns {
     this.length = i + 1
   }
 
-  /** The columns without the room kept for more, and the buffers to transfer with them. */
+  /** Hands over the columns, and the buffers to transfer with them. The tape is empty then. */
   release(): { columns: TapeColumns; buffers: ArrayBuffer[] } {
-    const { width, height, length } = this
-    const columns = {
-      width,
-      height,
-      length,
-      kinds: this.kinds.slice(0, length),
-      lines: this.lines.slice(0, length),
-      cells: this.cells.slice(0, length),
-      others: this.others.slice(0, length),
-      values: this.values.slice(0, length),
-    }
-    const { kinds, lines, cells, others, values } = columns
+    if (this.length < this.kinds.length / 2) this.#resize(this.length)
+    const { width, height, length, thinning, kinds, lines, cells, others, values } = this
+    const columns = { width, height, length, thinning, kinds, lines, cells, others, values }
+    Object.assign(this, new Tape(this.#most))
+    this.begin(width, height)
     return { columns, buffers: [kinds, lines, cells, others, values].map((c) => c.buffer) }
   }
 
-  private grow(): void {
-    const double = <T extends Uint8Array | Int32Array | Float64Array>(from: T, to: T): T => {
-      to.set(from)
-      return to
+  /** Whether an event of this kind is to be written; if so, there is room for it then. */
+  #makeRoomFor(kind: EventKind): boolean {
+    while (!LEFT_OUT[this.thinning][kind]) {
+      if (this.length < this.kinds.length) return true
+      this.#grow()
     }
-    // The columns of a released tape have no room at all, maybe not even a first event.
-    const size = Math.max(2 * this.kinds.length, 1024)
-    this.kinds = double(this.kinds, new Uint8Array(size))
-    this.lines = double(this.lines, new Uint8Array(size))
-    this.cells = double(this.cells, new Int32Array(size))
-    this.others = double(this.others, new Int32Array(size))
-    this.values = double(this.values, new Float64Array(size))
+    return false
   }
+
+  #markEasy(): void {
+    this.#easy = this.thinning === 'whole' ? this.kinds.length : 0
+  }
+
+  #grow(): void {
+    const { length } = this
+    if (length < this.#most) this.#resize(Math.min(Math.max(2 * length, FIRST_ROOM), this.#most))
+    else if (this.thinning === 'whole') this.#thin('thinned')
+    else {
+      this.#thin('cut')
+      // Room for the one event that is still to come, the end.
+      this.length--
+    }
+  }
+
+  #thin(thinning: Thinning): void {
+    this.thinning = thinning
+    this.#markEasy()
+    if (thinning !== 'thinned') return
+    const leftOut = LEFT_OUT[thinning]
+    let kept = 0
+    for (let i = 0; i < this.length; i++) {
+      if (leftOut[this.kinds[i]]) continue
+      this.kinds[kept] = this.kinds[i]
+      this.lines[kept] = this.lines[i]
+      this.cells[kept] = this.cells[i]
+      this.others[kept] = this.others[i]
+      this.values[kept] = this.values[i]
+      kept++
+    }
+    this.length = kept
+  }
+
+  #resize(room: number): void {
+    const { kinds, lines, cells, others, values, length } = this
+    this.kinds = copied(kinds, new Uint8Array(room), length)
+    this.lines = copied(lines, new Uint8Array(room), length)
+    this.cells = copied(cells, new Int32Array(room), length)
+    this.others = copied(others, new Int32Array(room), length)
+    this.values = copied(values, new Float64Array(room), length)
+    this.#markEasy()
+  }
+}
+
+function copied<Column extends Uint8Array | Int32Array | Float64Array>(
+  from: Column,
+  to: Column,
+  length: number,
+): Column {
+  to.set(from.subarray(0, length))
+  return to
 }

@@ -3,7 +3,7 @@ import { Pace } from '../../src/app/pacing'
 import { Playback } from '../../src/app/playback'
 import { scoreOf } from '../../src/app/score'
 import { EVENT } from '../../src/trace/events'
-import { frameAt } from '../../src/trace/frame'
+import { frameAt } from '../../src/trace/fold'
 import { Tape } from '../../src/trace/tape'
 import { planned, setupFrom } from './setups'
 

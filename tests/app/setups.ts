@@ -4,7 +4,7 @@ import type { Setup } from '../../src/app/setup'
 import { settingsOf } from '../../src/app/setup'
 import { initialState, type Shown, type State } from '../../src/app/state'
 import { problemFromText } from '../../src/grid/text-map'
-import { frameAt } from '../../src/trace/frame'
+import { foldWhole } from '../../src/trace/checkpoints'
 import { Tape } from '../../src/trace/tape'
 
 export function setupFrom(text: string, plannerId = 'decomposition'): Setup {
@@ -22,8 +22,8 @@ export function planned(setup: Setup): Shown {
   const tape = new Tape()
   const { problem, plannerId, seed } = setup
   const outcome = plan(problem, plannerId, { params: settingsOf(setup), seed, tape })
-  const last = frameAt(tape, tape.length)
-  return { setup, outcome, tape, last, milliseconds: 1, instant: false }
+  const { last, checkpoints } = foldWhole(tape)
+  return { setup, outcome, tape, last, checkpoints, milliseconds: 1, instant: false }
 }
 
 /** The cells that are obstacles. */

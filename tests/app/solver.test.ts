@@ -1,4 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest'
+import { scoreOf } from '../../src/app/score'
 import { PATIENCE_MS, Solver, type WorkerLike } from '../../src/app/solver'
 import type { WorkerAnswer, WorkerQuestion } from '../../src/app/worker-protocol'
 import { planned, setupFrom } from './setups'
@@ -18,8 +19,9 @@ class FakeWorker implements WorkerLike {
   /** Answers the latest question. */
   finish(): void {
     const { id } = this.questions[this.questions.length - 1]
-    const { outcome, tape, last, milliseconds } = planned(base)
-    this.say({ kind: 'planned', id, outcome, tape, last, milliseconds })
+    const { outcome, tape, last, checkpoints, milliseconds } = planned(base)
+    const score = scoreOf(tape)
+    this.say({ kind: 'planned', id, outcome, tape, last, checkpoints, score, milliseconds })
   }
   say(answer: WorkerAnswer): void {
     this.onmessage?.({ data: answer })
@@ -100,6 +102,22 @@ describe('the solver', () => {
     solver.tick()
     expect(workers[0].isTerminated).toBe(true)
     expect(asked()).toEqual([2])
+  })
+
+  it('gives up later and later while an edit goes on, and soon again when it has ended', () => {
+    const edits = (milliseconds: number) => {
+      for (let i = 0; i < milliseconds; i += 10) {
+        now += 10
+        solver.ask(request(1))
+      }
+    }
+    edits(100 + 200 + 400 + 40)
+    expect(workers.length).toBe(4)
+    edits(740)
+    expect(workers.length).toBe(4)
+    solver.editEnded()
+    expect(workers.length).toBe(5)
+    expect(asked()).toEqual([1])
   })
 
   it('never gives up a long run that nobody overtakes', () => {

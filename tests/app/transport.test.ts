@@ -24,7 +24,7 @@ import {
   toNextLandmark,
   toStep,
 } from '../../src/app/transport'
-import { frameAt } from '../../src/trace/frame'
+import { frameAt } from '../../src/trace/fold'
 import { planned, setupFrom, stateFrom } from './setups'
 
 const HOOK = ['S......', '.####..', '....#..', '.####..', '......G'].join('\n')

@@ -41,7 +41,7 @@ describe('withCells', () => {
 
   test('changes the cells that are named and no others', () => {
     expect(gridToRows(withCells(grid, [0, 1, 4], true))).toEqual(['##.', '.##'])
-    expect(gridToRows(withCells(grid, new Set([1, 2]), false))).toEqual(['...', '..#'])
+    expect(gridToRows(withCells(grid, [1, 2], false))).toEqual(['...', '..#'])
   })
 
   test('leaves the given map as it is', () => {

@@ -1,5 +1,5 @@
 import { test } from 'vitest'
-import { EVENT, frameAt, type Outcome, plan, planners, Tape } from '../../src/index'
+import { EVENT, frameAt, knownOf, type Outcome, plan, planners, Tape } from '../../src/index'
 import { LONG, must, onEveryMap } from '../reference/cases'
 import { Dice } from '../reference/random'
 import { run } from '../reference/run'
@@ -84,7 +84,7 @@ test('tapes: true, complete and the same each time', { timeout: LONG }, async ()
         () => `${name}: the tape ends with ${drawn}, but the path is ${outcome.path}`,
       )
       if (planner.family === 'online') {
-        const sensed = frame.known.filter((known) => known > 0).length
+        const sensed = frame.cells.filter((_, cell) => knownOf(frame, cell) > 0).length
         must(sensed === outcome.sensed, () => `${name}: ${sensed} cells sensed on the tape`)
       }
     }

@@ -1,184 +1,21 @@
 import { describe, expect, it } from 'vitest'
 import { withCells } from '../../src/grid/grid'
 import { randomInteger, randomNumbers } from '../../src/grid/random'
-import { problemFromText } from '../../src/grid/text-map'
 import { CellImage } from '../../src/render/cell-image'
-import { pixelOf, rgbOf } from '../../src/render/colour'
-import { heatColours } from '../../src/render/heat'
 import type { Scene, Sight } from '../../src/render/scene'
 import { themes } from '../../src/render/theme'
-import { EVENT, type EventKind } from '../../src/trace/events'
+import { EVENT } from '../../src/trace/events'
 import { firstFrame } from '../../src/trace/frame'
 import { Player } from '../../src/trace/player'
 import { momentOf, randomProblem, sceneOf, tapeOf } from './scenes'
 
-const { cell, obstacle } = themes.dark
 const SIGHTS = ['both', 'world', 'known'] as const
 
+/** All of it painted at once. */
 function colours(scene: Scene): Uint32Array {
   const image = new CellImage()
   image.update(scene)
   return image.pixels
-}
-
-const pixels = (...hex: string[]): number[] => hex.map((colour) => pixelOf(rgbOf(colour)))
-
-/** The image as rows of letters, so that a test can show what it expects. */
-function letters(scene: Scene, names: Record<string, string>): string[] {
-  const letterOf = new Map(Object.entries(names).map(([letter, hex]) => [pixels(hex)[0], letter]))
-  const { width, height } = scene.problem.grid
-  const image = colours(scene)
-  return Array.from({ length: height }, (_, y) =>
-    Array.from({ length: width }, (_, x) => letterOf.get(image[y * width + x]) ?? '?').join(''),
-  )
-}
-
-describe('the colour of a cell', () => {
-  const problem = problemFromText('S.#\n.#.\n..G')
-
-  it('tells free cells and obstacles where there is no plan', () => {
-    const names = { '.': cell.free, '#': obstacle.seen }
-    expect(letters(sceneOf(problem), names)).toEqual(['..#', '.#.', '...'])
-  })
-
-  it('is the theme’s', () => {
-    const { cell, obstacle } = themes.light
-    const names = { '.': cell.free, '#': obstacle.seen }
-    const scene = sceneOf(problem, { theme: themes.light })
-    expect(letters(scene, names)).toEqual(['..#', '.#.', '...'])
-  })
-
-  it('tells the open and the closed cells of a search', () => {
-    const corridor = problemFromText('S......\n#####.#\n....G..')
-    const tape = tapeOf(corridor, 'decomposition')
-    const names = { '.': cell.free, '#': obstacle.seen, o: cell.open, c: cell.closed }
-    const at = (time: number) => letters(sceneOf(corridor, { plan: momentOf(tape, time) }), names)
-    expect(at(0)).toEqual(['.......', '#####.#', '.......'])
-    // Opened the start, closed it, opened its one neighbour, closed that, opened the next.
-    const search = tape.kinds.indexOf(EVENT.open)
-    expect(at(search)).toEqual(at(0))
-    expect(at(search + 5)).toEqual(['cco....', '#####.#', '.......'])
-    expect(at(tape.length)[2]).toBe('....coo')
-  })
-
-  it('tells what the rover has sensed, what it has felt, and what it does not know', () => {
-    const wall = problemFromText('.......\nS..#..G\n.......\n.......\n.......')
-    const tape = tapeOf(wall, 'bug1')
-    const names = {
-      '.': cell.sensed,
-      ' ': cell.unsensed,
-      '#': obstacle.seen,
-      u: obstacle.unsensed,
-      f: obstacle.felt,
-    }
-    const at = (time: number) =>
-      letters(sceneOf(wall, { plan: momentOf(tape, time), sensorRange: 1 }), names)
-    expect(at(0)).toEqual(['       ', '   u   ', '       ', '       ', '       '])
-    const sensedAtStart = firstTime(tape.length, (time) => at(time)[2].startsWith('..'))
-    expect(at(sensedAtStart)).toEqual(['..     ', '.. u   ', '..     ', '       ', '       '])
-    const end = at(tape.length)
-    expect(end[1][3]).toBe('f')
-    expect(end[4]).toBe('       ')
-  })
-
-  it('tells only what the rover knows, or nothing of it, as it is wanted', () => {
-    const walls = problemFromText('.......\nS..#..G\n.......\n.......\n..#.#..')
-    const tape = tapeOf(walls, 'bug1')
-    const scene = sceneOf(walls, { plan: momentOf(tape), sensorRange: 1 })
-    const names = {
-      '.': cell.sensed,
-      ' ': cell.unsensed,
-      w: cell.free,
-      '#': obstacle.seen,
-      u: obstacle.unsensed,
-      f: obstacle.felt,
-    }
-    const rows = (sight: Sight) => letters({ ...scene, sight }, names)
-    expect(rows('both').at(-1)).toBe('  u u  ')
-    expect(rows('known').at(-1)).toBe('       ')
-    expect(rows('known').slice(0, -1)).toEqual(rows('both').slice(0, -1))
-    expect(rows('world')).toEqual(['wwwwwww', 'wwwfwww', 'wwwwwww', 'wwwwwww', 'ww#w#ww'])
-  })
-
-  it('shows a planner without a rover the world, however it is looked at', () => {
-    const tape = tapeOf(problem, 'decomposition')
-    const scene = sceneOf(problem, { plan: momentOf(tape) })
-    for (const sight of ['both', 'world', 'known'] as const) {
-      expect(colours({ ...scene, sight })).toEqual(colours(scene))
-    }
-    expect(colours(sceneOf(problem, { sensorRange: 1, sight: 'known' }))).toEqual(
-      colours(sceneOf(problem)),
-    )
-  })
-
-  it('leaves an obstacle an obstacle, whatever the plan says of its cell', () => {
-    const open = problemFromText('S...G\n.....')
-    const tape = tapeOf(open, 'decomposition')
-    const edited = { ...open, grid: withCells(open.grid, [2], true) }
-    const scene = sceneOf(edited, { plan: momentOf(tape) })
-    expect(colours(scene)[2]).toBe(pixels(obstacle.seen)[0])
-  })
-
-  it('knows nothing of a plan for a map of another size', () => {
-    const tape = tapeOf(problemFromText('S...G\n.....'), 'decomposition')
-    const scene = sceneOf(problem, { plan: momentOf(tape) })
-    expect(colours(scene)).toEqual(colours(sceneOf(problem)))
-  })
-
-  it('is the heat of the potential if that is shown: least at the goal, more further away', () => {
-    const field = problemFromText('S.......G\n....#....')
-    const tape = tapeOf(field, 'potential-field')
-    const shown = colours(sceneOf(field, { plan: momentOf(tape), showPotential: true }))
-    const hidden = colours(sceneOf(field, { plan: momentOf(tape) }))
-    const heat = heatColours(themes.dark).map(pixelOf)
-    expect(shown[8]).toBe(heat[0])
-    expect(heat.indexOf(shown[0])).toBeGreaterThan(heat.indexOf(shown[7]))
-    expect(shown[13]).toBe(pixels(obstacle.seen)[0])
-    expect(hidden[8]).toBe(pixels(cell.free)[0])
-  })
-})
-
-describe('fields', () => {
-  const problem = problemFromText('S.......G\n....#....')
-  const tape = tapeOf(problem, 'potential-field')
-  const heat = heatColours(themes.dark).map(pixelOf)
-  const at = (time: number) =>
-    colours(sceneOf(problem, { plan: momentOf(tape, time), showPotential: true }))
-  const lastOf = (kind: EventKind) => tape.kinds.lastIndexOf(kind) + 1
-
-  it('come one after the other, each with a range of its own', () => {
-    const attraction = at(lastOf(EVENT.attraction))
-    expect([attraction[9], attraction[8]]).toEqual([heat[255], heat[0]])
-    const repulsion = at(lastOf(EVENT.repulsion))
-    expect([repulsion[0], repulsion[8]]).toEqual([heat[0], heat[0]])
-    // Below, above and beside the obstacle it is 30, its greatest value.
-    expect([repulsion[4], repulsion[12]]).toEqual([heat[255], heat[255]])
-    const sum = at(lastOf(EVENT.potential))
-    expect([sum[9], sum[8]]).toEqual([heat[255], heat[0]])
-  })
-
-  it('leave cells plain that have no value so far, in spite of the field before', () => {
-    const first = tape.kinds.indexOf(EVENT.repulsion)
-    expect(at(first)[9]).toBe(heat[255])
-    const [free] = pixels(cell.free)
-    expect([...at(first + 2).subarray(0, 4)]).toEqual([heat[0], heat[0], free, free])
-  })
-
-  it('are painted cell by cell as they come', () => {
-    const image = new CellImage()
-    const player = new Player(tape)
-    for (let time = 0; time <= tape.length; time++) {
-      const plan = { tape, frame: player.moveTo(time) }
-      image.update(sceneOf(problem, { plan, showPotential: true }))
-      expect(image.pixels).toEqual(at(time))
-    }
-  })
-})
-
-/** The first time at which something holds. */
-function firstTime(length: number, holds: (time: number) => boolean): number {
-  for (let time = 0; time <= length; time++) if (holds(time)) return time
-  throw new Error('It never holds.')
 }
 
 describe('painting only what is new', () => {
@@ -238,13 +75,13 @@ describe('painting only what is new', () => {
       return image.update(sceneOf(problem, { plan: { tape, frame } }))
     }
     const search = tape.kinds.indexOf(EVENT.open)
-    expect(at(0)).toEqual({ left: 0, top: 0, right: 20, bottom: 10 })
-    expect(at(search)).toBeNull()
-    expect(at(search + 2)).toEqual({ left: 0, top: 0, right: 1, bottom: 1 })
+    expect(at(0)).toMatchObject([{ left: 0, top: 0, right: 20, bottom: 10 }])
+    expect(at(search)).toEqual([])
+    expect(at(search + 2)).toMatchObject([{ left: 0, top: 0, right: 1, bottom: 1 }])
     const third = tape.cells[search + 2]
     const [x, y] = [third % 20, Math.floor(third / 20)]
-    expect(at(search + 3)).toEqual({ left: x, top: y, right: x + 1, bottom: y + 1 })
-    expect(at(search + 1)).toEqual({ left: 0, top: 0, right: 20, bottom: 10 })
+    expect(at(search + 3)).toMatchObject([{ left: x, top: y, right: x + 1, bottom: y + 1 }])
+    expect(at(search + 2)).toMatchObject([{ left: x, top: y, right: x + 1, bottom: y + 1 }])
   })
 
   it('paints an edit where it was made', () => {
@@ -252,7 +89,7 @@ describe('painting only what is new', () => {
     const image = new CellImage()
     image.update(sceneOf(problem))
     const edited = { ...problem, grid: withCells(problem.grid, [25, 47], true) }
-    expect(image.update(sceneOf(edited))).toEqual({ left: 5, top: 1, right: 8, bottom: 3 })
+    expect(image.update(sceneOf(edited))).toMatchObject([{ left: 5, top: 1, right: 8, bottom: 3 }])
     expect(image.pixels).toEqual(colours(sceneOf(edited)))
   })
 
@@ -269,5 +106,82 @@ describe('painting only what is new', () => {
     const scene = sceneOf(large, { plan: { tape: other, frame: firstFrame(other) } })
     image.update(scene)
     expect(image.pixels).toEqual(colours(scene))
+  })
+})
+
+describe('a map of many tiles, painted a few of them at a time', () => {
+  const WIDTH = 700
+  const problem = randomProblem(WIDTH, 300, 0.2, 5)
+  const tape = tapeOf(problem, 'decomposition')
+  const plan = momentOf(tape)
+  const scene = sceneOf(problem, { plan })
+
+  /** Time for so many tiles. */
+  const timeFor = (tiles: number) => {
+    let left = tiles
+    return () => left-- === 0
+  }
+  const all = () => true
+
+  it('is complete after as many times as that takes, the tiles in view first', () => {
+    const image = new CellImage()
+    // The two tiles at the right end, of three columns and two rows.
+    const isInView = ({ left }: { left: number }) => left === 512
+    const first = image.update(scene, { isInView, isTimeUp: timeFor(2) })
+    expect(first.map(({ left, top }) => [left, top])).toEqual([
+      [512, 0],
+      [512, 256],
+    ])
+    expect(image.isComplete).toBe(false)
+    image.update(scene, { isInView, isTimeUp: timeFor(3) })
+    expect(image.isComplete).toBe(false)
+    expect(image.update(scene, { isInView, isTimeUp: timeFor(3) })).toMatchObject([
+      { left: 256, top: 256, right: 512, bottom: 300 },
+    ])
+    expect(image.isComplete).toBe(true)
+    expect(image.pixels).toEqual(colours(scene))
+    expect(image.update(scene)).toEqual([])
+  })
+
+  it('shows an edit at once while all else is late: a plan that comes, goes or is left behind', () => {
+    const image = new CellImage()
+    image.update(scene)
+    const cells = [0, 300, 699, 290 * WIDTH + 400].map((cell) => cell + 2)
+    let edited = problem.grid
+    for (const cell of cells) edited = withCells(edited, [cell], edited.walls[cell] === 0)
+    const none = { isInView: all, isTimeUp: all }
+    for (const next of [
+      sceneOf({ ...problem, grid: edited }),
+      sceneOf(problem, { plan }),
+      sceneOf({ ...problem, grid: edited }, { plan: momentOf(tape, 900) }),
+    ]) {
+      const boxes = image.update(next, none)
+      expect(image.isComplete).toBe(false)
+      const now = colours(next)
+      for (const cell of cells) expect(image.pixels[cell]).toBe(now[cell])
+      const area = boxes.reduce((sum, b) => sum + (b.right - b.left) * (b.bottom - b.top), 0)
+      expect(area).toBeLessThanOrEqual(2 * cells.length)
+    }
+  })
+
+  it('ends with the latest scene, whatever came while it was late', () => {
+    const random = randomNumbers(3)
+    const player = new Player(tape)
+    const image = new CellImage()
+    const theme = themes.light
+    let { grid } = problem
+    let latest = scene
+    for (let i = 0; i < 40; i++) {
+      const time = player.frame.time + randomInteger(random, 20_000)
+      const frame = player.moveTo(random() < 0.2 ? randomInteger(random, tape.length) : time)
+      if (random() < 0.5) grid = withCells(grid, [randomInteger(random, 210_000)], random() < 0.5)
+      latest = sceneOf(
+        { ...problem, grid },
+        { theme, plan: random() < 0.2 ? null : { tape, frame } },
+      )
+      image.update(latest, { isInView: all, isTimeUp: timeFor(randomInteger(random, 3)) })
+    }
+    image.update(latest)
+    expect(image.pixels).toEqual(colours(latest))
   })
 })

@@ -8,6 +8,7 @@ import { isKnownObstacle } from '../../src/render/known-obstacles'
 import type { Scene } from '../../src/render/scene'
 import { MOST_RECTS, svgCells } from '../../src/render/svg-cells'
 import { themes } from '../../src/render/theme'
+import { knownOf } from '../../src/trace/frame'
 import { momentOf, randomProblem, sceneOf, tapeOf } from './scenes'
 import { areaOf, elementsOf } from './svg'
 
@@ -126,7 +127,7 @@ describe('the rover’s knowledge', () => {
         const { grid } = problem
         // The same, but unknown cells are free or not by the throw of a coin.
         const walls = grid.walls.map((wall, cell) => {
-          if (frame.known[cell] !== 0 || isKnownObstacle(grid.walls, frame, cell)) return wall
+          if (knownOf(frame, cell) !== 0 || isKnownObstacle(grid.walls, frame, cell)) return wall
           return random() < 0.5 ? 1 : 0
         })
         const other = { ...scene, problem: { ...problem, grid: { ...grid, walls } } }
@@ -147,7 +148,9 @@ describe('the rover’s knowledge', () => {
       const plan = momentOf(tape, time)
       const scene = sceneOf(problem, { plan, sensorRange, sight: 'known' })
       const byColour = cellsByColour(pictureAsSvg(scene))
-      const seen = [...plan.frame.known].filter((known) => known === 2).length
+      const seen = [...problem.grid.walls].filter(
+        (_, cell) => knownOf(plan.frame, cell) === 2,
+      ).length
       const shown = (byColour.get(obstacle.seen) ?? 0) + (byColour.get(obstacle.felt) ?? 0)
       expect(shown).toBe(seen)
       expect(byColour.has(obstacle.unsensed)).toBe(false)

@@ -3,7 +3,7 @@ import type { Problem } from '../../src/grid/problem'
 import { randomNumbers } from '../../src/grid/random'
 import type { Scene } from '../../src/render/scene'
 import { themes } from '../../src/render/theme'
-import { frameAt } from '../../src/trace/frame'
+import { frameAt } from '../../src/trace/fold'
 import { Tape, type TapeColumns } from '../../src/trace/tape'
 
 /** What a planner writes on its tape. */

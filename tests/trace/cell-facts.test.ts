@@ -3,8 +3,9 @@ import { plan } from '../../src/algorithms/plan'
 import { planners } from '../../src/algorithms/planners'
 import { problemFromText } from '../../src/grid/text-map'
 import { type CellFacts, cellFacts } from '../../src/trace/cell-facts'
-import { EVENT_NAMES } from '../../src/trace/events'
-import { frameAt, KNOWN, SEARCH } from '../../src/trace/frame'
+import { EVENT, EVENT_NAMES } from '../../src/trace/events'
+import { frameAt } from '../../src/trace/fold'
+import { KNOWN, knownOf, SEARCH, searchOf } from '../../src/trace/frame'
 import { Tape } from '../../src/trace/tape'
 
 const problem = problemFromText(
@@ -76,8 +77,9 @@ describe('what a planner knows of a cell', () => {
     const tape = tapeOf(id)
     const stride = Math.max(1, Math.floor(tape.length / 9))
     for (let time = 0; time <= tape.length; time += stride) {
+      const frame = frameAt(tape, time)
       for (let cell = 0; cell < cells; cell++) {
-        expect(cellFacts(tape, time, cell)).toEqual(naiveFacts(tape, time, cell))
+        expect(cellFacts(tape, frame, cell)).toEqual(naiveFacts(tape, time, cell))
       }
     }
   })
@@ -87,11 +89,11 @@ describe('what a planner knows of a cell', () => {
     for (const time of [0, Math.floor(tape.length / 2), tape.length]) {
       const frame = frameAt(tape, time)
       for (let cell = 0; cell < cells; cell++) {
-        const facts = cellFacts(tape, time, cell)
+        const facts = cellFacts(tape, frame, cell)
         const search = { open: SEARCH.open, closed: SEARCH.closed, none: SEARCH.untouched }
-        expect(frame.search[cell]).toBe(search[facts.search ?? 'none'])
+        expect(searchOf(frame, cell)).toBe(search[facts.search ?? 'none'])
         const known = facts.sensed?.isObstacle ? KNOWN.obstacle : KNOWN.free
-        expect(frame.known[cell]).toBe(facts.sensed ? known : KNOWN.unknown)
+        expect(knownOf(frame, cell)).toBe(facts.sensed ? known : KNOWN.unknown)
         expect(frame.hits.filter((hit) => hit === cell).length).toBe(facts.hits.length)
         expect(frame.trail.filter((place) => place === cell).length).toBe(facts.visits.length)
         expect(frame.path.indexOf(cell)).toBe(facts.onPath ?? -1)
@@ -100,8 +102,12 @@ describe('what a planner knows of a cell', () => {
     }
   })
 
-  it('is the same for any time after the end', () => {
-    const tape = tapeOf('bug2')
-    expect(cellFacts(tape, Number.POSITIVE_INFINITY, 0)).toEqual(cellFacts(tape, tape.length, 0))
+  it('has no way to a cell that a thinned tape only tells to be closed', () => {
+    const tape = new Tape()
+    tape.begin(3, 2)
+    tape.write(EVENT.close, 4, -1, 7)
+    const frame = frameAt(tape, tape.length)
+    expect([frame.open, frame.closed]).toEqual([0, 1])
+    expect(cellFacts(tape, frame, 4)).toMatchObject({ search: 'closed', cost: 7, parent: null })
   })
 })

@@ -1,7 +1,8 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { EVENT, type EventKind, type Frame, frameAt, Player } from '../../src/index'
-import type { Field } from '../../src/trace/frame'
+import { foldWhole } from '../../src/trace/checkpoints'
+import { FELT_BIT, type Field, KNOWN_SHIFT } from '../../src/trace/frame'
 import { type Event, events, HEIGHT, tapeOf, WIDTH } from './arbitraries'
 
 const FIELDS: readonly Field[] = ['attraction', 'repulsion', 'potential']
@@ -23,13 +24,15 @@ function picture(list: readonly Event[]): Frame {
     all(kind).length === 0
       ? null
       : Float64Array.from(perCell((cell) => lastAt(cell, kind)?.value ?? Number.NaN))
-  // An open cell that is opened again is open once.
-  const isAgain = (e: Event, i: number) =>
-    list
-      .slice(0, i)
-      .findLast((b) => b.cell === e.cell && (b.kind === EVENT.open || b.kind === EVENT.close))
-      ?.kind === EVENT.open
-  const opened = list.filter((e, i) => e.kind === EVENT.open && !isAgain(e, i)).length
+  const search = perCell((cell) => {
+    const found = lastAt(cell, EVENT.open, EVENT.close)
+    return found === undefined ? 0 : found.kind === EVENT.open ? 1 : 2
+  })
+  const known = perCell((cell) => {
+    const found = lastAt(cell, EVENT.sense)
+    return found === undefined ? 0 : found.other === 1 ? 2 : 1
+  })
+  const felt = perCell((cell) => (lastAt(cell, EVENT.feel) ? FELT_BIT : 0))
   const field = lastOf(EVENT.attraction, EVENT.repulsion, EVENT.potential)
   const test = since(EVENT.phase).findLast((e) => e.kind === EVENT.test)
   const refusal = since(EVENT.phase, EVENT.edge).findLast((e) => e.kind === EVENT.refuse)
@@ -38,8 +41,8 @@ function picture(list: readonly Event[]): Frame {
   return {
     time: list.length,
     phase: lastOf(EVENT.phase)?.other ?? -1,
-    open: opened - all(EVENT.close).length,
-    closed: all(EVENT.close).length,
+    open: search.filter((state) => state === 1).length,
+    closed: search.filter((state) => state === 2).length,
     cost: lastOf(EVENT.open, EVENT.close)?.value ?? 0,
     rows: all(EVENT.row).length,
     fields: {
@@ -50,19 +53,9 @@ function picture(list: readonly Event[]): Frame {
     field: FIELDS.find((name) => EVENT[name] === field?.kind) ?? null,
     test: test ? { cell: test.cell, obstacle: test.other, passed: test.value === 1 } : null,
     refusal: refusal ? { from: refusal.cell, to: refusal.other, at: refusal.value } : null,
-    search: Uint8Array.from(
-      perCell((cell) => {
-        const found = lastAt(cell, EVENT.open, EVENT.close)
-        return found === undefined ? 0 : found.kind === EVENT.open ? 1 : 2
-      }),
+    cells: Uint8Array.from(
+      search.map((state, cell) => state | (known[cell] << KNOWN_SHIFT) | felt[cell]),
     ),
-    known: Uint8Array.from(
-      perCell((cell) => {
-        const found = lastAt(cell, EVENT.sense)
-        return found === undefined ? 0 : found.other === 1 ? 2 : 1
-      }),
-    ),
-    felt: Uint8Array.from(perCell((cell) => (lastAt(cell, EVENT.feel) ? 1 : 0))),
     vertices: cells(EVENT.vertex),
     edges: all(EVENT.edge).flatMap((e) => [e.cell, e.other]),
     mLine: cells(EVENT.mLine),
@@ -98,13 +91,38 @@ test('the frame at any time is the picture of the events before it', () => {
   )
 })
 
+describe('checkpoints', () => {
+  test('are frames of the tape at rising times, none of them far from the one before', () => {
+    const lengths = fc.integer({ min: 1, max: 20 })
+    fc.assert(
+      fc.property(events, lengths, lengths, (list, spacing, before) => {
+        const tape = tapeOf(list)
+        const beforeEnd = Math.min(before, spacing)
+        const { last, checkpoints } = foldWhole(tape, spacing, beforeEnd)
+        expect(last).toEqual(picture(list))
+        let time = 0
+        for (const frame of checkpoints) {
+          expect(frame).toEqual(picture(list.slice(0, frame.time)))
+          expect(frame.time).toBeGreaterThan(time)
+          expect(frame.time - time).toBeLessThanOrEqual(spacing)
+          time = frame.time
+        }
+        expect(list.length - time).toBeLessThanOrEqual(spacing)
+        if (list.length > spacing) expect(time).toBe(list.length - beforeEnd)
+      }),
+    )
+  })
+})
+
 describe('a player', () => {
   test('shows the same frame however it came there, forwards and backwards', () => {
+    const some = fc.integer({ min: 1, max: 80 })
     const moves = fc.array(fc.integer({ min: -5, max: 70 }), { minLength: 1, maxLength: 12 })
     fc.assert(
-      fc.property(events, moves, fc.integer({ min: 1, max: 80 }), (list, times, reach) => {
+      fc.property(events, moves, some, some, some, (list, times, reach, spacing, beforeEnd) => {
         const tape = tapeOf(list)
-        const player = new Player(tape, reach)
+        const { checkpoints } = foldWhole(tape, spacing, Math.min(beforeEnd, spacing))
+        const player = new Player(tape, checkpoints, reach)
         expect(player.frame).toEqual(picture([]))
         for (const time of times) {
           const clamped = Math.max(0, Math.min(time, list.length))

@@ -52,7 +52,7 @@ test('a tape that begins anew has forgotten all', () => {
 })
 
 describe('release', () => {
-  test('gives the events and no room beside them, and all buffers to transfer', () => {
+  test('gives the events, in little more room than they need, and all buffers to transfer', () => {
     fc.assert(
       fc.property(events, (list) => {
         const { columns, buffers } = tapeOf(list).release()
@@ -64,7 +64,8 @@ describe('release', () => {
         expect(written(columns)).toEqual(list)
         const { kinds, lines, cells, others, values } = columns
         for (const column of [kinds, lines, cells, others, values]) {
-          expect(column.length).toBe(list.length)
+          expect(column.length).toBeGreaterThanOrEqual(list.length)
+          expect(column.length).toBeLessThanOrEqual(2 * list.length)
           expect(buffers).toContain(column.buffer)
         }
         expect(new Set(buffers).size).toBe(5)
@@ -72,7 +73,7 @@ describe('release', () => {
     )
   })
 
-  test('what was released can be transferred; the tape can be written on', () => {
+  test('what was released can be transferred; the tape is empty and can be written on', () => {
     const list = [{ kind: EVENT.step, line: 1, cell: 4, other: 3, value: 0.5 }] as const
     const tape = tapeOf(list)
     const { columns, buffers } = tape.release()
@@ -80,7 +81,7 @@ describe('release', () => {
     expect(columns.kinds.length).toBe(0)
     expect(written(received)).toEqual(list)
     tape.at(2).write(EVENT.step, 5, 4)
-    expect(written(tape).map((e) => e.cell)).toEqual([4, 5])
+    expect(written(tape).map((e) => e.cell)).toEqual([5])
     expect(received.length).toBe(1)
   })
 
@@ -94,4 +95,68 @@ describe('release', () => {
       }),
     )
   })
+})
+
+describe('a tape with more events than it has room for', () => {
+  /** Searches on a map of 9 cells until so many events are written. */
+  const long = (count: number, most: number): Tape => {
+    const tape = new Tape(most)
+    tape.begin(3, 3)
+    for (let i = 0; i < count; i++) {
+      if (i % 3 === 2) tape.at(1).write(EVENT.close, i % 9, -1, i)
+      else tape.at(2).write(EVENT.open, i % 9, (i + 1) % 9, i)
+    }
+    tape.write(EVENT.end, 5, 0)
+    return tape
+  }
+  const kindsOf = (tape: TapeColumns) => new Set(written(tape).map(({ kind }) => kind))
+
+  test('keeps all as long as it can', () => {
+    const tape = long(1999, 2000)
+    expect([tape.thinning, tape.length]).toEqual(['whole', 2000])
+  })
+
+  test('leaves out small events then, those before and those after', () => {
+    const tape = long(2700, 2000)
+    expect(tape.thinning).toBe('thinned')
+    expect(kindsOf(tape)).toEqual(new Set([EVENT.close, EVENT.end]))
+    const closed = Array.from({ length: 900 }, (_, i) => 3 * i + 2)
+    const end = { kind: EVENT.end, line: 1, cell: 5, other: 0, value: 0 }
+    expect(written(tape)).toEqual([
+      ...closed.map((i) => ({ kind: EVENT.close, line: 1, cell: i % 9, other: -1, value: i })),
+      end,
+    ])
+  })
+
+  test('is cut if that is not enough, but says how it ended', () => {
+    const tape = long(9000, 2000)
+    expect([tape.thinning, tape.length]).toEqual(['cut', 2000])
+    expect(written(tape).at(-1)?.kind).toBe(EVENT.end)
+    expect(written(tape).at(-2)).toEqual({
+      kind: EVENT.close,
+      line: 1,
+      cell: (3 * 1998 + 2) % 9,
+      other: -1,
+      value: 3 * 1998 + 2,
+    })
+  })
+
+  test('knows where it comes from a worker, and begins anew whole', () => {
+    const tape = Tape.from(long(2700, 2000).release().columns)
+    tape.write(EVENT.open, 1)
+    expect([tape.thinning, tape.length]).toEqual(['thinned', 901])
+    tape.begin(3, 3)
+    tape.write(EVENT.open, 1)
+    expect([tape.thinning, tape.length]).toEqual(['whole', 1])
+  })
+})
+
+test('room that is reserved is there, and what was written stays', () => {
+  const list = [{ kind: EVENT.step, line: 1, cell: 4, other: 3, value: 0.5 }] as const
+  const tape = tapeOf(list)
+  tape.reserve(5000)
+  expect(tape.kinds.length).toBe(5001)
+  expect(written(tape)).toEqual(list)
+  tape.reserve(10)
+  expect(tape.kinds.length).toBe(5001)
 })

@@ -1,3 +1,4 @@
+import { placeAfter } from '../../trace/landmarks'
 import { cellFactsInWords, cellInWords } from '../cell-line'
 import { byId, create, setText } from '../element'
 import { type IconName, setIcon } from '../icons'
@@ -9,6 +10,7 @@ import { isFast, SPEEDS, speedInWords } from '../speeds'
 import { cellAskedAbout, type State, visiblePlan } from '../state'
 import { stepInWords } from '../steps-in-words'
 import type { Store } from '../store'
+import { leftOut } from '../thinning'
 import { prefer, say } from '../transitions'
 import {
   chooseSpeed,
@@ -88,10 +90,25 @@ export function playbackBar(store: Store<State>): (state: State, moment: Moment 
     scrubber.value = String(step)
     const why = isFast(state.playing) ? '' : `: ${stepInWords(moment)}`
     scrubber.setAttribute('aria-valuetext', `step ${step} of ${steps}${why}`)
-    setText(count, `Step ${step} of ${steps}`)
+    const { briefly, words } = leftOut(moment.shown.tape.thinning)
+    setText(count, `Step ${step} of ${steps}${briefly}`)
+    count.title = words
     const score = scoreOf(moment.shown.tape)
     if (score !== ticked) showTicks(ticks, score)
     ticked = score
+  }
+
+  // It is asked for far more often than it changes, and a long tape takes a while to be read.
+  let toldOf: readonly unknown[] = []
+  const showCell = (state: State, moment: Moment | null): void => {
+    const { problem } = state.setup
+    const { start, goal, grid } = problem
+    const asked = cellAskedAbout(state)
+    const wall = grid.walls[asked]
+    const now = [asked, start, goal, grid.width, wall, moment?.shown, moment?.frame.time]
+    if (now.every((part, i) => part === toldOf[i])) return
+    toldOf = now
+    setText(cell, cellLine(state, moment))
   }
 
   return (state, moment) => {
@@ -105,7 +122,7 @@ export function playbackBar(store: Store<State>): (state: State, moment: Moment 
     speed.value = String(preferences.speed)
     sight.value = preferences.sight
     sightField.hidden = plannerOf(setup).family !== 'online'
-    setText(cell, cellLine(state, moment))
+    showCell(state, moment)
   }
 }
 
@@ -124,9 +141,8 @@ const MOST_TICKS = 200
 function showTicks(ticks: HTMLElement, { steps, landmarks }: Score): void {
   const last = Math.max(1, steps.length - 1)
   const places = new Set<number>()
-  let step = 0
   for (const moment of landmarks) {
-    while (steps[step] < moment) step++
+    const step = placeAfter(steps, moment) - 1
     places.add(Math.round((step / last) * MOST_TICKS) / MOST_TICKS)
   }
   ticks.replaceChildren(

@@ -9,6 +9,7 @@ import type { State } from '../state'
 import { stepNumbers } from '../step-numbers'
 import { landmarkInWords, stepInWords } from '../steps-in-words'
 import type { Store } from '../store'
+import { leftOut } from '../thinning'
 import { toStep } from '../transport'
 import { showRows } from './rows'
 
@@ -16,6 +17,7 @@ import { showRows } from './rows'
 export function stepsCard(store: Store<State>): (state: State, moment: Moment | null) => void {
   const words = byId('steps-words', HTMLParagraphElement)
   const brief = byId('steps-brief', HTMLSpanElement)
+  const thinned = byId('steps-left-out', HTMLParagraphElement)
   const table = byId('steps-numbers', HTMLTableElement)
   const before = byId('loop-began', HTMLButtonElement)
   const code = new CodeList(byId('steps-code', HTMLOListElement))
@@ -32,6 +34,9 @@ export function stepsCard(store: Store<State>): (state: State, moment: Moment | 
     const text = moment ? inWords(moment, isFast(playing)) : 'There is no plan to step through.'
     setText(words, text)
     setText(brief, text)
+    const { words: missing } = leftOut(moment?.shown.tape.thinning ?? 'whole')
+    setText(thinned, missing)
+    thinned.hidden = missing === ''
     loop = moment && loopBegan(moment)
     before.hidden = loop === null
     setText(before, `See that time: step ${loop} here`)

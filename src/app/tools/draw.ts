@@ -15,20 +15,25 @@ export function drawTool(store: Store<State>, first: Cell): Tool {
   let count = 0
   let latest = first
 
-  const paintTo = (there: Point): void => {
+  /** All places at once: each time that it changes, a map of millions of cells is copied. */
+  const paintThrough = (places: readonly Point[]): void => {
     const { setup } = store.state
-    const painted = paint(setup.problem, lineOfCells(setup.problem.grid, here, there), obstacle)
-    here = there
+    const cells = places.flatMap((there) => {
+      const line = lineOfCells(setup.problem.grid, here, there)
+      here = there
+      return line
+    })
+    const painted = paint(setup.problem, cells, obstacle)
     if (painted.changed.length === 0) return
     count += painted.changed.length
     latest = painted.changed[painted.changed.length - 1]
     store.update((state) => edit(state, withGrid(setup, painted.grid)))
   }
-  paintTo(here)
+  paintThrough([here])
 
   return {
     move(places) {
-      for (const place of places) paintTo(placeOnMap(store.state.view, place))
+      paintThrough(places.map((place) => placeOnMap(store.state.view, place)))
     },
     end: () => store.update((state) => commit(state, paintedInWords(grid.width))),
     cancel: () => store.update(cancel),

@@ -3,7 +3,19 @@ import { InputError } from '../errors'
 /** One bit a cell, eight cells a byte, the first cell in the lowest bit. */
 export function packWalls(walls: Uint8Array): Uint8Array {
   const bits = new Uint8Array(Math.ceil(walls.length / 8))
-  for (let i = 0; i < walls.length; i++) if (walls[i]) bits[i >> 3] |= 1 << (i & 7)
+  const whole = walls.length >> 3
+  for (let i = 0, at = 0; i < whole; i++, at += 8) {
+    bits[i] =
+      walls[at] |
+      (walls[at + 1] << 1) |
+      (walls[at + 2] << 2) |
+      (walls[at + 3] << 3) |
+      (walls[at + 4] << 4) |
+      (walls[at + 5] << 5) |
+      (walls[at + 6] << 6) |
+      (walls[at + 7] << 7)
+  }
+  for (let i = 8 * whole; i < walls.length; i++) bits[whole] |= walls[i] << (i & 7)
   return bits
 }
 

@@ -1,4 +1,5 @@
 import type { Grid } from '../../grid/grid'
+import { type Frame, isFelt } from '../../trace/frame'
 import type { Pen } from '../pen'
 import { cellsAreAtLeast, centreX, centreY, type Placement } from '../placement'
 import type { Theme } from '../theme'
@@ -11,7 +12,7 @@ export function drawFelt(
   place: Placement,
   theme: Theme,
   { walls, width }: Grid,
-  felt: Uint8Array,
+  frame: Frame,
 ): void {
   if (!cellsAreAtLeast(place, DOTS_FROM)) return
   pen.fillStyle = theme.feltMark
@@ -19,7 +20,7 @@ export function drawFelt(
   for (let y = place.fromY; y < place.toY; y++) {
     for (let x = place.fromX; x < place.toX; x++) {
       const cell = y * width + x
-      if (!felt[cell] || !walls[cell]) continue
+      if (!walls[cell] || !isFelt(frame, cell)) continue
       const radius = 0.11 * place.cell
       pen.moveTo(centreX(place, cell) + radius, centreY(place, cell))
       pen.arc(centreX(place, cell), centreY(place, cell), radius, 0, 2 * Math.PI)

@@ -3,7 +3,8 @@ import type { Pen } from '../pen'
 import { cellsAreAtLeast, centreX, centreY, inProportion, type Placement } from '../placement'
 import type { Theme } from '../theme'
 
-const DOTS_FROM = 4
+/** Smaller cells have no room for a dot. */
+export const DOTS_FROM = 4
 
 /** A dot in each free cell of the first `rows` rows: these are vertices of the grid's graph. */
 export function drawRowDots(
@@ -13,7 +14,7 @@ export function drawRowDots(
   { walls, width }: Grid,
   rows: number,
 ): void {
-  if (!cellsAreAtLeast(place, DOTS_FROM)) return
+  if (rows === 0 || !cellsAreAtLeast(place, DOTS_FROM)) return
   const radius = inProportion(place, 0.09, 0.75, 4)
   pen.fillStyle = theme.vertex
   pen.beginPath()

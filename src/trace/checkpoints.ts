@@ -1,0 +1,48 @@
+import { advance } from './fold'
+import { copyOf, type Frame, firstFrame } from './frame'
+import type { TapeColumns } from './tape'
+
+/** Events between two checkpoints: a page folds so many within about an animation frame. */
+const SPACING = 1 << 20
+/** The last checkpoint lies so far before the end, from where one steps back most. */
+const BEFORE_END = 1 << 16
+/** Bytes of all checkpoints together; on a tape of large frames there are fewer of them. */
+const MOST_BYTES = 48 * 2 ** 20
+/** Of an entry in a list of cells. */
+const ENTRY_BYTES = 8
+
+/** A tape folded once from its beginning to its end. */
+export interface Folded {
+  /** The frame after the last event. */
+  readonly last: Frame
+  /** Frames on the way to it, their times rising. None on tapes that are folded in a moment. */
+  readonly checkpoints: readonly Frame[]
+}
+
+export function foldWhole(tape: TapeColumns, spacing = SPACING, beforeEnd = BEFORE_END): Folded {
+  const last = firstFrame(tape)
+  const checkpoints: Frame[] = []
+  let bytes = 0
+  const times = checkpointTimes(tape.length, spacing, beforeEnd)
+  for (const time of times) {
+    advance(last, tape, time)
+    bytes += sizeOf(last)
+    if (bytes <= MOST_BYTES || time === times.at(-1)) checkpoints.push(copyOf(last))
+  }
+  advance(last, tape, tape.length)
+  return { last, checkpoints }
+}
+
+function checkpointTimes(length: number, spacing: number, beforeEnd: number): number[] {
+  if (length <= spacing) return []
+  const count = Math.ceil((length - beforeEnd) / spacing) - 1
+  const times = Array.from({ length: count }, (_, i) => (i + 1) * spacing)
+  return [...times, length - beforeEnd]
+}
+
+function sizeOf({ cells, fields, vertices, edges, trail, path }: Frame): number {
+  const { attraction, repulsion, potential } = fields
+  const ofFields = [attraction, repulsion, potential].map((field) => field?.byteLength ?? 0)
+  const entries = vertices.length + edges.length + trail.length + path.length
+  return ofFields.reduce((sum, size) => sum + size, cells.byteLength + ENTRY_BYTES * entries)
+}
