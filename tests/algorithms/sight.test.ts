@@ -1,7 +1,13 @@
 import fc from 'fast-check'
 import { expect, test } from 'vitest'
 import { ClearTable } from '../../src/algorithms/sight/clear-table'
-import { type Edges, type Rays, raysOver, roomForEdges } from '../../src/algorithms/sight/rays'
+import {
+  type Edges,
+  type Rays,
+  raysOver,
+  roomForEdges,
+  type Seen,
+} from '../../src/algorithms/sight/rays'
 import { Sight } from '../../src/algorithms/sight/sight'
 import { Walker } from '../../src/algorithms/sight/walker'
 import { emptyGrid } from '../../src/grid/grid'
@@ -16,12 +22,17 @@ function someVertices({ grid }: Problem): Uint8Array {
 
 interface Finder {
   nearest(from: number): number
+  all(from: number, seen: Seen): void
 }
 
 function found(Finder: new (rays: Rays, edges: Edges) => Finder, rays: Rays, side: number) {
   const edges = roomForEdges(side)
   const finder = new Finder(rays, edges)
-  return [...rays.marks.keys()].map((from) => listed(edges, finder.nearest(from)))
+  return Array.from(rays.marks.keys(), (from) => {
+    const all: string[] = []
+    finder.all(from, (vertex, outward) => all.push(`${vertex} ${outward}`))
+    return [listed(edges, finder.nearest(from)), all.sort()]
+  })
 }
 
 function listed({ ends, weights, outwards }: Edges, count: number): string[] {

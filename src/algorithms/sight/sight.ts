@@ -37,7 +37,7 @@ export class Sight {
    * such a way are simplest paths too, and together they weigh the same.
    */
   nearest(from: Cell): number {
-    return (this.isWalking ? this.#walker : this.#clearTable()).nearest(from)
+    return this.isWalking ? this.#walker.nearest(from) : this.#clearTable().nearest(from)
   }
 
   /** Whether the rays are still walked, and not looked up. */
@@ -47,7 +47,8 @@ export class Sight {
 
   /** Calls `seen` for each vertex to which the way is free, maybe twice: once for each way round. */
   all(from: Cell, seen: Seen): void {
-    this.#clearTable().all(from, seen)
+    if (this.isWalking) this.#walker.all(from, seen)
+    else this.#clearTable().all(from, seen)
   }
 
   #clearTable(): ClearTable {
