@@ -15,6 +15,7 @@ const SHORT_MS = 100
 const LEAST_ROUNDS = 5
 const MOST_ROUNDS = 15
 const ENOUGH_MS = 1500
+const ALONE_MS = 200
 
 /** Times both in turn until there are enough samples. */
 export function timeInTurn(ours: Work, peer: Work): Samples {
@@ -28,6 +29,16 @@ export function timeInTurn(ours: Work, peer: Work): Samples {
     samples.peer.push(samplePeer())
   }
   return samples
+}
+
+/** The median time of a unit of work, by itself; what takes long is timed once. */
+export function timeAlone(work: Work): number {
+  const sample = sampler(work)
+  const samples: number[] = []
+  const end = performance.now() + ALONE_MS
+  do samples.push(sample())
+  while (performance.now() < end)
+  return quantilesOf(samples).median
 }
 
 /**

@@ -1,6 +1,6 @@
 import type { Case } from '../case'
 import type { BenchMap } from '../maps'
-import { ask, paramsOf, searchesOf } from '../ours'
+import { ask, searchesOf } from '../ours'
 import { easystar } from '../peers/easystar'
 import { ngraphAStar, ngraphAStarBuilt, ngraphNba } from '../peers/ngraph'
 import { pathfindingAStar, pathfindingDijkstra, pathfindingJumpPoint } from '../peers/pathfinding'
@@ -34,7 +34,7 @@ export function searchCases(map: BenchMap, targets: SearchTargets): Case[] {
 
 function duel(map: BenchMap, search: string, peer: Peer, atLeast: number | undefined): Case {
   const { grid, queries } = map
-  const params = paramsOf('euclidean', search)
+  const params = { cost: 'euclidean', search }
   let find: Find | undefined
   return {
     name: `decomposition ${search}, ${map.name}`,

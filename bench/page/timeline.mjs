@@ -1,6 +1,10 @@
 // What the page's main thread did, frame by frame, from the browser's own trace.
 
-/** @typedef {{ name: string, ph: string, ts: number, dur?: number, pid: number, tid: number, args: any }} TraceEvent */
+/**
+ * Times are the thread's own, in microseconds of processor time: what else the machine does meanwhile
+ * does not count.
+ * @typedef {{ name: string, ph: string, tts?: number, tdur?: number, pid: number, tid: number }} TraceEvent
+ */
 
 const CATEGORIES = [
   'devtools.timeline',
@@ -25,7 +29,7 @@ const TASK = new Set(['RunTask'])
 const AT_WORK_MS = 0.3
 
 /**
- * Milliseconds of each frame in which the main thread ran script, and in which it ran anything.
+ * Milliseconds of processor time of each frame in which the main thread ran script, and in which it ran anything.
  * @typedef {{ script: number[], busy: number[] }} Frames
  */
 
@@ -49,7 +53,7 @@ function framesOf(events) {
   const own = events.filter(onMainThread(events))
   const begins = own
     .filter(({ name }) => name === 'BeginMainThreadFrame')
-    .map(({ ts }) => ts)
+    .map(({ tts = 0 }) => tts)
     .toSorted((a, b) => a - b)
   const script = perFrame(begins, ofNames(own, SCRIPT))
   const busy = perFrame(begins, ofNames(own, TASK))
@@ -80,8 +84,8 @@ function onMainThread(events) {
  */
 function perFrame(begins, events) {
   const spans = events
-    .filter(({ ph, dur }) => ph === 'X' && dur !== undefined)
-    .map(({ ts, dur = 0 }) => ({ from: ts, to: ts + dur }))
+    .filter(({ ph, tdur }) => ph === 'X' && tdur !== undefined)
+    .map(({ tts = 0, tdur = 0 }) => ({ from: tts, to: tts + tdur }))
     .toSorted((a, b) => a.from - b.from)
   const covered = begins.map(() => 0)
   let frame = -1

@@ -24,8 +24,8 @@ export function stepNumbers({ shown, frame }: Moment): Row[] {
     row('Walked', countInWords(Math.max(0, frame.trail.length - 1), 'step'))
   }
   if (family === 'online') {
-    const side = frame.turn === 0 ? 'left' : 'right'
-    row('Boundary', frame.following ? `on the ${side}` : 'not followed')
+    const side = isThinned ? 'followed' : `on the ${frame.turn === 0 ? 'left' : 'right'}`
+    row('Boundary', frame.following ? side : 'not followed')
   }
   variables.forEach((name, i) => {
     // Not every way to plan decides by all of them.

@@ -1,4 +1,4 @@
-import type { Thinning } from '../trace/tape'
+import type { Thinning } from '../trace/thinning'
 
 /** What a long plan leaves out of its steps: beside their number, and as sentences; both may be empty. */
 export interface LeftOut {
@@ -9,14 +9,14 @@ export interface LeftOut {
 const LEFT_OUT: Record<Thinning, LeftOut> = {
   whole: { briefly: '', words: '' },
   thinned: {
-    briefly: ', small ones left out',
+    briefly: ', small things left out',
     words:
-      'This plan is too long to keep all that happens in it. Small steps are left out, such as that a cell is opened; the answer is not changed by that.',
+      'This plan is too long to keep all that happens in it. Small things are left out, such as that a cell is opened or sensed. The answer is not changed by that.',
   },
   cut: {
     briefly: ', not to the end',
     words:
-      'This plan is too long to be shown to its end. Small steps are left out, and so are those after the last one here; the answer is not changed by that.',
+      'This plan is too long to be shown to its end. Small things are left out, and all that comes after the last step here. The answer is not changed by that.',
   },
 }
 

@@ -98,9 +98,10 @@ function travel(state: State, to: typeof history.undo, words: TravelWords): Stat
   }
 }
 
+/** If a slow plan is given up for this one, the one before both does not come back on screen. */
 export const planStarted = (state: State): State => ({
   ...state,
-  run: { kind: 'running', slow: false, done: 0 },
+  run: { kind: 'running', slow: state.run.kind === 'running' && state.run.slow, done: 0 },
 })
 
 export function planProgressed(state: State, done: number): State {

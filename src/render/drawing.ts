@@ -110,7 +110,8 @@ function drawMovement(pen: Pen, place: Placement, scene: Scene, frame: Frame): v
   const heading = headingOf(place.columns, frame.trail, problem.goal)
   if (rover !== problem.goal) drawTangentGraph(pen, place, theme, rover, nodes)
   if (target >= 0 && target !== rover) drawTarget(pen, place, theme, rover, target)
-  if (following) {
+  // On which side is not on a thinned tape.
+  if (following && scene.plan?.tape.thinning === 'whole') {
     if (atSide >= 0) drawAtSide(pen, place, theme, atSide)
     drawRail(pen, place, theme, rover, railAngle(place.columns, frame, heading), turn)
   }

@@ -52,30 +52,37 @@ export function paintBox(pixels: Uint32Array, states: CellStates, box: Box): voi
   }
 }
 
+/** Whether an event says something of how its cell looks, by its kind. */
+const isPainted = new Uint8Array(256)
+for (const kind of [
+  EVENT.open,
+  EVENT.close,
+  EVENT.sense,
+  EVENT.feel,
+  EVENT.attraction,
+  EVENT.repulsion,
+  EVENT.potential,
+]) {
+  isPainted[kind] = 1
+}
+
 /** Paints the cells whose state is told by the events `from` up to `to` of the tape. */
 export function paintEvents(
   pixels: Uint32Array,
   states: CellStates,
-  tape: TapeColumns,
+  { kinds, cells }: TapeColumns,
   from: number,
   to: number,
   painted: (cell: Cell) => void,
 ): void {
   for (let i = from; i < to; i++) {
-    switch (tape.kinds[i]) {
-      case EVENT.open:
-      case EVENT.close:
-      case EVENT.sense:
-      case EVENT.feel:
-      case EVENT.attraction:
-      case EVENT.repulsion:
-      case EVENT.potential: {
-        const cell = tape.cells[i]
-        if (cell < 0) break
-        pixels[cell] = cellPixel(states, cell)
-        painted(cell)
-      }
-    }
+    const cell = cells[i]
+    if (isPainted[kinds[i]] === 0 || cell < 0) continue
+    const pixel = cellPixel(states, cell)
+    // Many an event changes nothing that is seen: a cell is opened again, or closed by now.
+    if (pixels[cell] === pixel && !states.fieldRange) continue
+    pixels[cell] = pixel
+    painted(cell)
   }
 }
 

@@ -122,8 +122,9 @@ export class Picture {
       this.#lines = edgeLines(place.columns, place.rows, edges)
     }
     if (!this.#roadmap.isOutdated([...ground, this.#lines])) return
-    this.#roadmap.clear()
-    drawEdges(this.#roadmap.context, place, scene.theme, this.#lines)
+    this.#roadmap.redraw(this.#lines.length > 0, () =>
+      drawEdges(this.#roadmap.context, place, scene.theme, this.#lines),
+    )
   }
 
   /** Later frames of a tape only have more of everything, so the counts tell what is drawn. */
@@ -139,15 +140,17 @@ export class Picture {
       frame?.leaves.length,
     ]
     if (!this.#plan.isOutdated([...ground, plan?.tape, ...counts])) return
-    this.#plan.clear()
-    if (frame) drawPlan(this.#plan.context, place, scene.theme, frame)
+    this.#plan.redraw(counts.some(Boolean), () => {
+      if (frame) drawPlan(this.#plan.context, place, scene.theme, frame)
+    })
   }
 
   #drawComparison(scene: Scene, place: Placement, ground: readonly unknown[]): void {
     const paths = scene.comparison.flatMap(({ path, style }) => [path, style])
     if (!this.#comparison.isOutdated([...ground, ...paths])) return
-    this.#comparison.clear()
-    drawComparison(this.#comparison.context, place, scene.theme, scene.comparison)
+    this.#comparison.redraw(paths.length > 0, () =>
+      drawComparison(this.#comparison.context, place, scene.theme, scene.comparison),
+    )
   }
 
   #drawMarks(scene: Scene, place: Placement, ground: readonly unknown[]): void {
@@ -172,7 +175,6 @@ export class Picture {
     ]
     const lists = [...latestEdge(scene), null, ...(frame?.nodes ?? [])]
     if (!this.#marks.isOutdated([...ground, ...inputs, ...lists])) return
-    this.#marks.clear()
-    drawMarks(this.#marks.context, place, scene)
+    this.#marks.redraw(true, () => drawMarks(this.#marks.context, place, scene))
   }
 }

@@ -43,7 +43,11 @@ export function planOnMap({ problem, plan }: Scene): PlanMoment | null {
   return plan?.tape.width === width && plan.tape.height === height ? plan : null
 }
 
-/** What is shown of the map: the world, unless a planner with a rover is on show. */
+/**
+ * What is shown of the map: the world, unless a planner with a rover is on show. What a rover has
+ * sensed is not on a thinned tape.
+ */
 export function sightOf(scene: Scene): Sight {
-  return scene.sensorRange > 0 && planOnMap(scene) ? scene.sight : 'world'
+  const isKnown = scene.sensorRange > 0 && planOnMap(scene)?.tape.thinning === 'whole'
+  return isKnown ? scene.sight : 'world'
 }

@@ -6,6 +6,7 @@ export class Sheet {
   readonly context: CanvasRenderingContext2D
   readonly #canvas: HTMLCanvasElement
   #drawnFrom: readonly unknown[] = []
+  #isBlank = true
 
   constructor(host: HTMLElement, name: string) {
     this.#canvas = document.createElement('canvas')
@@ -23,6 +24,7 @@ export class Sheet {
     this.#canvas.style.width = `${width}px`
     this.#canvas.style.height = `${height}px`
     this.#drawnFrom = []
+    this.#isBlank = true
   }
 
   /** Whether any of the things it is drawn from is another than when this was asked last. */
@@ -32,8 +34,15 @@ export class Sheet {
     return by.length !== before.length || by.some((input, i) => !Object.is(input, before[i]))
   }
 
-  clear(): void {
+  /**
+   * Draws it anew. A sheet that was blank and stays so is left alone: to hand over a canvas as large
+   * as the screen takes the browser longer than most drawings do.
+   */
+  redraw(hasContent: boolean, draw: () => void): void {
+    if (!hasContent && this.#isBlank) return
     this.context.clearRect(0, 0, this.#canvas.width, this.#canvas.height)
+    this.#isBlank = !hasContent
+    if (hasContent) draw()
   }
 
   fill(colour: string): void {

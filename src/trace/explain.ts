@@ -1,7 +1,8 @@
 import { type Cell, cellName } from '../grid/grid'
 import { EVENT, STATUSES, type Status } from './events'
 import type { Frame } from './frame'
-import type { TapeColumns, Thinning } from './tape'
+import type { TapeColumns } from './tape'
+import type { Thinning } from './thinning'
 
 const SIDES = ['left', 'right'] as const
 
@@ -80,8 +81,12 @@ export function explain(
     }
     case EVENT.mLine:
       return `The m-line: the simplest path from start to goal, ${count(frame.mLine.length, 'cell')}.`
-    case EVENT.hit:
-      return `${other < 0 ? 'The border of the map' : `${name(other)} is an obstacle`}: hit point ${value}, follow the boundary with the obstacle on the ${SIDES[frame.turn]}.`
+    case EVENT.hit: {
+      const what = other < 0 ? 'The border of the map' : `${name(other)} is an obstacle`
+      // Which way round is not on a thinned tape.
+      const side = tape.thinning === 'whole' ? ` with the obstacle on the ${SIDES[frame.turn]}` : ''
+      return `${what}: hit point ${value}, follow the boundary${side}.`
+    }
     case EVENT.around:
       return `Round the obstacle once, in ${count(value, 'step')}, and back at ${name(cell)}.`
     case EVENT.leave:

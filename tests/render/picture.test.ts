@@ -170,8 +170,21 @@ describe('a picture redraws only what has changed', () => {
     expect(at(0)).toContain('roadmap')
   })
 
-  it('all if the map moves, the theme changes or the screen gets another size', () => {
+  it('no layer on which nothing is or was to be seen', () => {
     const scene = sceneOf(problem)
+    const picture = pictureOf(scene)
+    const moved = { ...view, left: 11 }
+    expect(drawn(() => picture.draw(scene, moved))).toEqual(['ground', 'marks'])
+    const plan = momentOf(tapeOf(problem, 'bug2'))
+    picture.draw({ ...scene, plan, sensorRange: 1 }, moved)
+    expect(drawn(() => picture.draw(scene, moved))).toContain('plan')
+    expect(drawn(() => picture.draw(scene, view))).toEqual(['ground', 'marks'])
+  })
+
+  it('all if the map moves, the theme changes or the screen gets another size', () => {
+    const plan = momentOf(tapeOf(problem, 'visibility-graph'))
+    const comparison = [{ path: [0, 1, 2], style: pathStyles[0] }]
+    const scene = sceneOf(problem, { plan, comparison })
     const picture = pictureOf(scene)
     const all = ['comparison', 'ground', 'marks', 'plan', 'roadmap']
     expect(drawn(() => picture.draw(scene, { ...view, left: 11 }))).toEqual(all)
