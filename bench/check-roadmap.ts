@@ -1,7 +1,7 @@
 import { EVENT, Tape } from 'path-planner'
 import type { Fault } from './check'
 import type { BenchMap } from './maps'
-import { ask, paramsOf, searchesOf } from './ours'
+import { ask, searchesOf } from './ours'
 import { edgesAmong, leastOverEdges } from './plain/roadmap'
 
 /** Few enough for all pairs to be walked, and enough to join most starts and goals. */
@@ -13,7 +13,7 @@ export function roadmapFaultsOn(map: BenchMap): Fault[] {
   return queries.flatMap((query) =>
     searchesOf('probabilistic-roadmap').flatMap((search) => {
       const who = `probabilistic-roadmap ${search}`
-      const params = { ...paramsOf('euclidean', search), samples: SAMPLES }
+      const params = { cost: 'euclidean', search, samples: SAMPLES }
       const tape = new Tape()
       const recorded = ask(grid, query, 'probabilistic-roadmap', params, tape)
       const { status, cost } = ask(grid, query, 'probabilistic-roadmap', params)

@@ -1,6 +1,6 @@
 import type { Cell } from '../src/grid/grid'
 import type { BenchMap, Query } from './maps'
-import { ask, paramsOf, searchesOf } from './ours'
+import { ask, searchesOf } from './ours'
 import type { Peer } from './peers/peer'
 import { leastCost } from './plain/dijkstra'
 import { costOfPath } from './plain/steps'
@@ -33,7 +33,7 @@ const TOLERANCE = 1e-6
 
 /** Asks us, by each search, and the peers all queries of a map, and tells whose answers are wrong. */
 export function faultsOn(map: BenchMap, peers: readonly Peer[]): Fault[] {
-  const contenders = [...ourselves(map), ...peers.map((peer) => asContender(peer, map))]
+  const contenders = [...ourselves(map), ...peers.map((peer) => contenderOf(peer, map))]
   return map.queries.flatMap((query) => {
     const truth = new Map(
       [1, Math.SQRT2].map((diagonal) => [diagonal, leastCost(map.grid, query, diagonal)]),
@@ -51,7 +51,7 @@ function ourselves({ grid }: BenchMap): Contender[] {
     who: `${planner} ${search}, cost ${cost}`,
     isOurs: true,
     diagonal: cost === 'cells' ? 1 : Math.SQRT2,
-    find: (query) => ask(grid, query, planner, paramsOf(cost, search)).path,
+    find: (query) => ask(grid, query, planner, { cost, search }).path,
   })
   // Jump points are for cost euclidean, and the visibility graph is optimal with cost cells only.
   const byCells = (planner: string) =>
@@ -65,7 +65,7 @@ function ourselves({ grid }: BenchMap): Contender[] {
   ]
 }
 
-function asContender({ name, on }: Peer, { grid }: BenchMap): Contender {
+function contenderOf({ name, on }: Peer, { grid }: BenchMap): Contender {
   const find = on(grid)
   return {
     who: name,

@@ -2,7 +2,7 @@ import { generators, type Size } from '../src/grid/generators'
 import { type Cell, emptyGrid, type Grid, pointOf } from '../src/grid/grid'
 import { randomInteger, randomNumbers } from '../src/grid/random'
 import { distance } from '../src/grid/simplest-path'
-import { flood, unpaddedCell } from './plain/flood'
+import { Flood } from './plain/flood'
 
 export const RULE = 'only-when-no-obstacles'
 export const MAP_KINDS = ['random', 'rooms', 'maze', 'open'] as const
@@ -61,8 +61,8 @@ function farApart(grid: Grid, random: () => number): Query {
 
 /** All cells that can be reached from one, the farthest by straight steps last. */
 function cellsAround(grid: Grid, start: Cell): Int32Array {
-  const { queue, count } = flood(grid, start)
-  return queue.subarray(0, count).map((padded) => unpaddedCell(grid.width, padded))
+  const flood = new Flood(grid)
+  return flood.reached(flood.run(start))
 }
 
 /** From one end of what can be reached from a cell to the other: hardly a cell is spared. */

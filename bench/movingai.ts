@@ -3,7 +3,7 @@ import { basename } from 'node:path'
 import { InputError } from '../src/grid/errors'
 import { readMovingAiMap, readScenarios, type Scenario } from '../src/grid/formats/movingai'
 import type { BenchMap } from './maps'
-import { ask, paramsOf, searchesOf } from './ours'
+import { ask, searchesOf } from './ours'
 
 /** A map of the MovingAI benchmarks with its scenarios, one query each. */
 export interface ScenarioMap {
@@ -64,7 +64,7 @@ export function isAsStated(length: number, stated: number): boolean {
 export function misstated({ map, scenarios }: ScenarioMap): string[] {
   return scenarios.flatMap(({ length, start, goal }, i) =>
     searchesOf('decomposition').flatMap((search) => {
-      const params = paramsOf('euclidean', search)
+      const params = { cost: 'euclidean', search }
       const { status, cost } = ask(map.grid, map.queries[i], 'decomposition', params)
       if (status === 'reached' && isAsStated(cost, length)) return []
       const ends = `(${start.x}, ${start.y}) to (${goal.x}, ${goal.y})`

@@ -21,9 +21,6 @@ export function ask(
 /** The values that the parameter `search` of a planner may have, as it declares them. */
 export function searchesOf(planner: string): readonly string[] {
   const param = plannerById(planner).params.find(({ name }) => name === 'search')
-  return param?.kind === 'choice' ? param.choices : ['dijkstra']
+  if (param?.kind !== 'choice') throw new Error(`${planner} has no parameter search.`)
+  return param.choices
 }
-
-/** Parameters that ask for a cost and one of the searches; `dijkstra` is the default. */
-export const paramsOf = (cost: 'cells' | 'euclidean', search: string): ParamSettings =>
-  search === 'dijkstra' ? { cost } : { cost, search }

@@ -1,51 +1,67 @@
+import { mkdirSync, writeFileSync } from 'node:fs'
+import { availableParallelism } from 'node:os'
 import type { Case } from './case'
-import { checkInWords, checkMap, checkRoadmaps, isOursRight, together } from './checked'
+import {
+  type Checked,
+  checkInWords,
+  checkMap,
+  checkRoadmaps,
+  isOursRight,
+  together,
+} from './checked'
 import type { Command } from './command'
+import { type SpeedDocument, speedDocument } from './document'
+import { type Growth, growers, isGrowthMet, measureGrowth } from './growth'
 import { generatedMap, MAP_KINDS } from './maps'
-import { furtherMaps, parts } from './parts'
+import { furtherMaps, type Part, parts } from './parts'
 import { allPeers } from './peers/all'
-import { type Figures, figuresOf, timeInTurn } from './timing'
-import { COLUMNS, columnsOf, lineOf, plainName } from './words'
-
-/** What one case came to. */
-export interface Result {
-  readonly one: Case
-  readonly figures: Figures
-}
+import { targetsMet, timeAll } from './timed'
+import { growthInWords, plainName, say } from './words'
 
 /** Checks first, then times the generated maps; returns whether all is right and fast enough. */
-export function benchGenerated({ quick, only }: Command): boolean {
+export function benchGenerated({ quick, only, docs }: Command): boolean {
   const isChosen = ({ name }: Case) => plainName(name).includes(plainName(only))
   const chosen = parts.filter(
     (part) => !(quick && part.isLarge) && part.cases(part.make()).some(isChosen),
   )
-  const checked = together([
-    ...[...furtherMaps()].map((map) => checkMap(map, allPeers)),
-    ...MAP_KINDS.map((kind) => checkRoadmaps(generatedMap(kind, { width: 120, height: 80 }, 1, 2))),
-    ...chosen.map((part) => checkMap(part.make(), part.peers)),
-  ])
+  const checked = checkAll(chosen)
   say(checkInWords(checked).join('\n'))
   if (!isOursRight(checked)) return false
-  return timeAll(chosen.flatMap((part) => [() => part.cases(part.make()).filter(isChosen)]))
+  const results = timeAll(casesOf(chosen, isChosen))
+  const growth = quick || only !== '' ? [] : growthOf(docs)
+  if (docs) write(speedDocument({ checked, results, growth, machine: machine() }, 'speed'))
+  return targetsMet(results) && growth.every(isGrowthMet)
 }
 
-/** Times the cases map by map; returns whether all targets are met. */
-export function timeAll(cases: readonly (() => readonly Case[])[]): boolean {
-  say(`\n${lineOf(COLUMNS)}`)
-  const results = cases.flatMap((make) => make().map(timed))
-  const missed = results.filter(({ figures }) => !figures.met)
-  const bound = results.filter(({ one }) => one.target !== null)
-  say(`\n${bound.length - missed.length} of ${bound.length} targets met.`)
-  for (const { one } of missed) say(`  missed: ${one.name} against ${one.against}`)
-  return missed.length === 0
+/** Map by map, so that one can be forgotten before the next is made. */
+function* casesOf(chosen: readonly Part[], isChosen: (one: Case) => boolean): Generator<Case> {
+  for (const part of chosen) yield* part.cases(part.make()).filter(isChosen)
 }
 
-function timed(one: Case): Result {
-  const figures = figuresOf(one.target, timeInTurn(one.ours, one.peer))
-  say(lineOf(columnsOf(one, figures)))
-  return { one, figures }
+function checkAll(chosen: readonly Part[]): Checked {
+  const roadmapSize = { width: 120, height: 80 }
+  return together([
+    ...[...furtherMaps()].map((map) => checkMap(map, allPeers)),
+    ...MAP_KINDS.map((kind) => checkRoadmaps(generatedMap(kind, roadmapSize, 1, 2))),
+    ...chosen.map((part) => checkMap(part.make(), part.peers)),
+  ])
 }
 
-function say(line: string): void {
-  process.stdout.write(`${line}\n`)
+/** All planners for the document; without it, those whose growth has a target. */
+function growthOf(docs: boolean): Growth[] {
+  say('')
+  const growth = measureGrowth(growers.filter(({ isLinear }) => docs || isLinear))
+  for (const one of growth) say(growthInWords(one))
+  return growth
+}
+
+function machine(): string {
+  const { node, v8 } = process.versions
+  return `Node ${node} (V8 ${v8}), ${availableParallelism()} cores`
+}
+
+function write({ markdown, figures }: SpeedDocument): void {
+  mkdirSync('docs/speed', { recursive: true })
+  for (const { name, svg } of figures) writeFileSync(`docs/speed/${name}.svg`, svg)
+  writeFileSync('docs/speed.md', markdown)
 }

@@ -1,4 +1,5 @@
 import type { Case, Target } from './case'
+import { aDoubling, type Growth, isGrowthMet, MOST_A_DOUBLING } from './growth'
 import type { Figures } from './timing'
 
 /** Three digits that count: "0.0512", "14.3", "1,520". */
@@ -34,6 +35,19 @@ export function columnsOf(one: Case, figures: Figures): string[] {
   ]
 }
 
+/** "0.21 ms at 64×64, 152 ms at 2048×2048: cells^0.98, a doubling takes ×1.97". */
+export function growthInWords(growth: Growth): string {
+  const { grower, points, exponent } = growth
+  const ends = [points[0], points[points.length - 1]].map(
+    ({ side, median }) => `${digits(median)} ms at ${side}×${side}`,
+  )
+  const target = grower.isLinear
+    ? ` (≤ ${MOST_A_DOUBLING}: ${isGrowthMet(growth) ? 'met' : 'MISSED'})`
+    : ''
+  const power = `cells^${exponent.toFixed(2)}, a doubling takes ×${digits(aDoubling(growth))}`
+  return `growth of ${grower.name}: ${ends.join(', ')}: ${power}${target}`
+}
+
 export const COLUMNS = [
   'case',
   'ours',
@@ -54,4 +68,8 @@ export function lineOf(columns: readonly string[]): string {
     .map((text, i) => (IS_WORDS[i] ? text.padEnd(WIDTHS[i]) : text.padStart(WIDTHS[i])))
     .join('  ')
     .trimEnd()
+}
+
+export function say(line: string): void {
+  process.stdout.write(`${line}\n`)
 }

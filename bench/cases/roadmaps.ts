@@ -2,7 +2,7 @@ import type { Cell, Grid } from '../../src/grid/grid'
 import { randomInteger, randomNumbers } from '../../src/grid/random'
 import type { Case } from '../case'
 import type { BenchMap } from '../maps'
-import { ask, paramsOf, searchesOf } from '../ours'
+import { ask, searchesOf } from '../ours'
 import { walkPairs } from '../plain/pairs'
 
 /** The visibility graph's time, against grid decomposition's for an answer of the same cost. */
@@ -33,7 +33,7 @@ export function roadmapCases({ name, grid, queries }: BenchMap): Case[] {
     return WALKED_PART
   }
   return searchesOf('probabilistic-roadmap').map((search) => {
-    const params = { ...paramsOf('euclidean', search), samples: SAMPLES }
+    const params = { cost: 'euclidean', search, samples: SAMPLES }
     return {
       name: `roadmap ${search}, ${name}`,
       against: `walking all pairs (${WALKED_PART * 100} % of them, scaled)`,

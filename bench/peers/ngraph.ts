@@ -22,17 +22,25 @@ const options = { distance: octile, heuristic: octile }
 
 /** The free cells as nodes, joined by legal steps. Its search takes links in both directions. */
 function graphOf(grid: Grid): CellGraph {
-  const { width, walls } = grid
+  const { width, height, walls } = grid
   const graph: CellGraph = createGraph()
-  for (let cell = 0; cell < walls.length; cell++) {
-    if (walls[cell]) continue
-    const x = cell % width
-    graph.addNode(cell, { x, y: (cell - x) / width })
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
+      if (!walls[y * width + x]) graph.addNode(y * width + x, { x, y })
+    }
   }
-  for (let cell = 0; cell < walls.length; cell++) {
-    if (walls[cell]) continue
-    for (const next of [cell + 1, cell + width - 1, cell + width, cell + width + 1]) {
-      if (isLegalStep(grid, cell, next)) graph.addLink(cell, next)
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
+      if (walls[y * width + x]) continue
+      for (const [nextX, nextY] of [
+        [x + 1, y],
+        [x - 1, y + 1],
+        [x, y + 1],
+        [x + 1, y + 1],
+      ]) {
+        if (!isLegalStep(grid, x, y, nextX, nextY)) continue
+        graph.addLink(y * width + x, nextY * width + nextX)
+      }
     }
   }
   return graph

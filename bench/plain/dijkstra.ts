@@ -19,11 +19,14 @@ export function leastCost(grid: Grid, { start, goal }: Query, diagonal: number):
     if (cell === goal) return costs[goal]
     if (closed[cell]) continue
     closed[cell] = 1
-    for (let dy = -1; dy <= 1; dy++) {
-      for (let dx = -1; dx <= 1; dx++) {
-        const next = cell + dy * width + dx
-        const cost = costs[cell] + (dx !== 0 && dy !== 0 ? diagonal : 1)
-        if (!(cost < costs[next]) || !isLegalStep(grid, cell, next)) continue
+    const x = cell % width
+    const y = (cell - x) / width
+    for (let nextY = y - 1; nextY <= y + 1; nextY++) {
+      for (let nextX = x - 1; nextX <= x + 1; nextX++) {
+        if (!isLegalStep(grid, x, y, nextX, nextY)) continue
+        const next = nextY * width + nextX
+        const cost = costs[cell] + (nextX !== x && nextY !== y ? diagonal : 1)
+        if (cost >= costs[next]) continue
         costs[next] = cost
         open.push(next, cost)
       }

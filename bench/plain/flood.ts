@@ -1,67 +1,88 @@
 import type { Cell, Grid } from '../../src/grid/grid'
 
-/** What a flood reached: the cells in the order in which it came to them, of a map with a border. */
-export interface Flood {
-  /** Cells of the padded map, whose rows are `width + 2` long; the first `count` of them count. */
-  readonly queue: Int32Array
-  readonly count: number
-}
-
 /**
- * The plainest program that has to look at every cell: a breadth-first flood by straight steps, on
- * flat arrays with a border of obstacles around the map. What it takes for a cell is the yardstick
- * of what this machine can do.
+ * The plainest program that has to look at every cell: a breadth-first search by straight steps on
+ * flat arrays, with a border of obstacles around the map. What it takes for a cell is the yardstick
+ * of what this machine can do, so it keeps its arrays between its runs.
  */
-export function flood({ width, height, walls }: Grid, start: Cell): Flood {
-  const stride = width + 2
-  const blocked = new Uint8Array(stride * (height + 2)).fill(1)
-  for (let y = 0; y < height; y++) {
-    blocked.set(walls.subarray(y * width, y * width + width), (y + 1) * stride + 1)
-  }
-  const distances = new Int32Array(blocked.length)
-  const queue = new Int32Array(width * height)
-  queue[0] = paddedCell(width, start)
-  blocked[queue[0]] = 1
-  let count = 1
-  for (let head = 0; head < count; head++) {
-    const cell = queue[head]
-    const distance = distances[cell] + 1
-    const north = cell - stride
-    if (blocked[north] === 0) {
-      blocked[north] = 1
-      distances[north] = distance
-      queue[count++] = north
-    }
-    const east = cell + 1
-    if (blocked[east] === 0) {
-      blocked[east] = 1
-      distances[east] = distance
-      queue[count++] = east
-    }
-    const south = cell + stride
-    if (blocked[south] === 0) {
-      blocked[south] = 1
-      distances[south] = distance
-      queue[count++] = south
-    }
-    const west = cell - 1
-    if (blocked[west] === 0) {
-      blocked[west] = 1
-      distances[west] = distance
-      queue[count++] = west
-    }
-  }
-  return { queue, count }
-}
+export class Flood {
+  readonly #width: number
+  readonly #walls: Uint8Array
+  readonly #blocked: Uint8Array
+  readonly #distances: Int32Array
+  readonly #queue: Int32Array
 
-/** The place of a cell on the map with a border. */
-function paddedCell(width: number, cell: Cell): number {
-  const x = cell % width
-  return ((cell - x) / width + 1) * (width + 2) + x + 1
-}
+  constructor({ width, height, walls }: Grid) {
+    this.#width = width
+    this.#walls = walls
+    this.#blocked = new Uint8Array((width + 2) * (height + 2)).fill(1)
+    this.#distances = new Int32Array(this.#blocked.length)
+    this.#queue = new Int32Array(walls.length)
+  }
 
-/** The cell of the map that stands at a place of the map with a border. */
-export function unpaddedCell(width: number, padded: number): Cell {
-  const x = padded % (width + 2)
-  return ((padded - x) / (width + 2) - 1) * width + x - 1
+  /** Goes from a cell to all that straight steps lead to; returns how many cells that are. */
+  run(start: Cell): number {
+    const stride = this.#width + 2
+    const blocked = this.#blocked
+    const distances = this.#distances
+    const queue = this.#queue
+    this.#copyWalls()
+    const first = this.#padded(start)
+    queue[0] = first
+    blocked[first] = 1
+    distances[first] = 0
+    let count = 1
+    for (let head = 0; head < count; head++) {
+      const cell = queue[head]
+      const distance = distances[cell] + 1
+      const north = cell - stride
+      if (blocked[north] === 0) {
+        blocked[north] = 1
+        distances[north] = distance
+        queue[count++] = north
+      }
+      const east = cell + 1
+      if (blocked[east] === 0) {
+        blocked[east] = 1
+        distances[east] = distance
+        queue[count++] = east
+      }
+      const south = cell + stride
+      if (blocked[south] === 0) {
+        blocked[south] = 1
+        distances[south] = distance
+        queue[count++] = south
+      }
+      const west = cell - 1
+      if (blocked[west] === 0) {
+        blocked[west] = 1
+        distances[west] = distance
+        queue[count++] = west
+      }
+    }
+    return count
+  }
+
+  /** The first `count` cells that the last run came to, the farthest last. */
+  reached(count: number): Int32Array {
+    const stride = this.#width + 2
+    return this.#queue.slice(0, count).map((padded) => {
+      const x = padded % stride
+      return ((padded - x) / stride - 1) * this.#width + x - 1
+    })
+  }
+
+  #copyWalls(): void {
+    const width = this.#width
+    const walls = this.#walls
+    for (let from = 0, to = width + 3; from < walls.length; from += width, to += width + 2) {
+      this.#blocked.set(walls.subarray(from, from + width), to)
+    }
+  }
+
+  /** The place of a cell on the map with a border. */
+  #padded(cell: Cell): number {
+    const x = cell % this.#width
+    return ((cell - x) / this.#width + 1) * (this.#width + 2) + x + 1
+  }
 }

@@ -5,18 +5,20 @@ import type { Cell, Grid } from '../../src/grid/grid'
  * under `only-when-no-obstacles`: walked cell by cell until a step is refused.
  */
 export function walkIsFree({ width, walls }: Grid, from: Cell, to: Cell): boolean {
-  let x = from % width
-  let y = (from - x) / width
-  const goalX = to % width
-  const goalY = (to - goalX) / width
-  while (x !== goalX || y !== goalY) {
-    const nextX = x + Math.sign(goalX - x)
-    const nextY = y + Math.sign(goalY - y)
-    if (walls[nextY * width + nextX]) return false
-    // For a straight step these two are the cells that it joins, both free.
-    if (walls[y * width + nextX] || walls[nextY * width + x]) return false
-    x = nextX
-    y = nextY
+  const dx = (to % width) - (from % width)
+  const dy = Math.floor(to / width) - Math.floor(from / width)
+  const across = Math.sign(dx)
+  const down = Math.sign(dy) * width
+  let cell = from
+  for (let left = Math.min(Math.abs(dx), Math.abs(dy)); left > 0; left--) {
+    if (walls[cell + across] || walls[cell + down]) return false
+    cell += across + down
+    if (walls[cell]) return false
+  }
+  const straight = Math.abs(dx) > Math.abs(dy) ? across : down
+  while (cell !== to) {
+    cell += straight
+    if (walls[cell]) return false
   }
   return true
 }

@@ -1,7 +1,7 @@
 import { directionOf, stepOffsets } from '../grid/directions'
 import { type Cell, cellName } from '../grid/grid'
-import { allLegalSteps } from '../grid/legal-steps'
 import type { Problem } from '../grid/problem'
+import { legalSteps, obstaclesAround } from '../grid/steps'
 import { EVENT, type EventKind } from '../trace/events'
 import type { Tape } from '../trace/tape'
 import type { Answer } from './planner'
@@ -54,41 +54,41 @@ interface Descent {
 export function descend(task: Descent): Answer {
   const { problem, fields, memory, lines, tape } = task
   const { potential } = fields
-  const { width } = problem.grid
-  const legal = allLegalSteps(problem.grid, problem.diagonal)
-  const offsets = stepOffsets(width)
-  const visited = new Uint8Array(potential.length)
+  const { grid, diagonal } = problem
+  const offsets = stepOffsets(grid.width)
+  const visited = new Uint8Array(grid.walls.length)
   const path: Cell[] = []
   const visit = (cell: Cell): void => {
     tape?.at(lines.step).write(EVENT.step, cell, path.at(-1))
-    tape?.write(EVENT.value, cell, HERE, potential[cell])
+    tape?.write(EVENT.value, cell, HERE, potential(cell))
     path.push(cell)
     visited[cell] = 1
   }
   const lowestNeighbour = (cell: Cell): Cell => {
+    const legal = legalSteps(diagonal, obstaclesAround(grid, cell))
     let lowest = -1
     for (const d of ORDER) {
       const next = cell + offsets[d]
-      if (((legal[cell] >> d) & 1) === 0 || (memory && visited[next])) continue
-      if (lowest < 0 || potential[next] < potential[lowest]) lowest = next
+      if (((legal >> d) & 1) === 0 || (memory && visited[next])) continue
+      if (lowest < 0 || potential(next) < potential(lowest)) lowest = next
     }
     return lowest
   }
 
-  if (tape) recordFields(fields, lines, tape)
+  if (tape) recordFields(fields, grid.walls.length, lines, tape)
   tape?.at(lines.step).write(EVENT.phase, -1, 3)
   let here = problem.start
   visit(here)
   while (here !== problem.goal) {
     const next = lowestNeighbour(here)
     if (next >= 0) {
-      tape?.at(lines.choose).write(EVENT.target, next, -1, potential[next])
-      tape?.write(EVENT.value, next, LOWEST, potential[next])
+      tape?.at(lines.choose).write(EVENT.target, next, -1, potential(next))
+      tape?.write(EVENT.value, next, LOWEST, potential(next))
     }
-    const isStuck = next < 0 || (!memory && potential[next] >= potential[here])
+    const isStuck = next < 0 || (!memory && potential(next) >= potential(here))
     if (isStuck) {
       tape?.at(lines.stuck)
-      const place = cellName(width, here)
+      const place = cellName(grid.width, here)
       return {
         status: memory ? 'dead-end' : 'local-minimum',
         reason: memory
@@ -105,10 +105,11 @@ export function descend(task: Descent): Answer {
   return { status: 'reached', reason, path: Int32Array.from(path), expanded: 0 }
 }
 
-function recordFields(fields: Fields, lines: PotentialLines, tape: Tape): void {
-  const record = (phase: number, line: number, kind: EventKind, field: Float64Array) => {
+function recordFields(fields: Fields, cells: number, lines: PotentialLines, tape: Tape): void {
+  tape.reserve(3 * cells)
+  const record = (phase: number, line: number, kind: EventKind, field: (cell: Cell) => number) => {
     tape.at(line).write(EVENT.phase, -1, phase)
-    for (let cell = 0; cell < field.length; cell++) tape.write(kind, cell, -1, field[cell])
+    for (let cell = 0; cell < cells; cell++) tape.write(kind, cell, -1, field(cell))
   }
   record(0, lines.attraction, EVENT.attraction, fields.attraction)
   record(1, lines.repulsion, EVENT.repulsion, fields.repulsion)

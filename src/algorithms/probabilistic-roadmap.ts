@@ -2,10 +2,9 @@ import type { Cell } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import { randomInteger } from '../grid/random'
 import { EVENT } from '../trace/events'
-import { ClearRuns } from './clear-runs'
 import { costParam } from './costs'
 import { offlinePlanner } from './planner'
-import { edgeTo, type Roadmap, roadmapPhases, roadmapPseudocode, searchRoadmap } from './roadmap'
+import { roadmapPhases, roadmapPseudocode, roadmapVariables, searchRoadmap } from './roadmap'
 import { searchParam } from './search-param'
 
 const { text, line } = roadmapPseudocode({
@@ -38,6 +37,7 @@ export const probabilisticRoadmap = offlinePlanner({
   ],
   usesSeed: true,
   phases: roadmapPhases,
+  variables: roadmapVariables,
   pseudocode: text,
   source:
     'Report, IV.C; L. E. Kavraki et al., "Probabilistic roadmaps for path planning in high-dimensional configuration spaces", 1996',
@@ -47,15 +47,19 @@ export const probabilisticRoadmap = offlinePlanner({
       ...new Set([problem.start, problem.goal]),
       ...sampleFreeCells(problem, params.samples, random),
     ])
+    const isVertex = new Uint8Array(problem.grid.walls.length)
     tape?.at(line.vertices).write(EVENT.phase, -1, 0)
-    for (const cell of vertices) tape?.write(EVENT.vertex, cell)
+    for (const cell of vertices) {
+      isVertex[cell] = 1
+      tape?.write(EVENT.vertex, cell)
+    }
     const failure = {
       status: 'not-found',
       reason: 'these samples do not join start and goal; more samples or another seed may',
     } as const
     const { cost, search } = params
     const task = { problem, cost, search, failure, lines: line, tape, progress }
-    return searchRoadmap(pairwiseRoadmap(problem, vertices), task)
+    return searchRoadmap({ vertices, isVertex }, task)
   },
 })
 
@@ -74,19 +78,4 @@ function sampleFreeCells(problem: Problem, count: number, random: () => number):
     cells[i] = cell
   }
   return cells.subarray(0, drawn)
-}
-
-function pairwiseRoadmap(problem: Problem, vertices: Int32Array): Roadmap {
-  const runs = new ClearRuns(problem)
-  const edgesOf = (vertex: number, edges: Int32Array): number => {
-    const cell = vertices[vertex]
-    let count = 0
-    for (let other = 0; other < vertices.length; other++) {
-      if (other === vertex) continue
-      if (runs.isFree(cell, vertices[other])) edges[count++] = edgeTo(other, 1)
-      else if (runs.isFree(vertices[other], cell)) edges[count++] = edgeTo(other, 0)
-    }
-    return count
-  }
-  return { vertices, edgesOf }
 }

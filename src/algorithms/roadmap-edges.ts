@@ -6,7 +6,9 @@ import { simplestStep } from '../grid/simplest-path'
 import { EVENT } from '../trace/events'
 import type { Tape } from '../trace/tape'
 import { type Cost, costOfWeight, simplestPathWeights } from './costs'
-import { isOutward, otherEnd, type Roadmap, roomForEdges } from './roadmap'
+import type { Roadmap } from './roadmap'
+import type { Outward } from './sight/rays'
+import type { Sight } from './sight/sight'
 
 /** With more vertices the pairs without an edge are too many to show one by one. */
 const MOST_VERTICES_WITH_REFUSALS = 256
@@ -17,6 +19,8 @@ const MOST_EDGES = 2_000_000
 const REFUSED = 0
 const OUTWARD = 1
 const INWARD = 2
+/** All pairs of this vertex were looked at. */
+const DONE = 3
 
 /**
  * Writes down every edge of a roadmap, from the cell whose simplest path to the other is free. On
@@ -24,49 +28,44 @@ const INWARD = 2
  * path from the first one is refused; on huge ones the tape is cut.
  */
 export function recordEdges(
-  roadmap: Roadmap,
+  { vertices }: Roadmap,
+  sight: Sight,
   problem: Problem,
   cost: Cost,
   tape: Tape,
   progress: (done: number) => void,
 ): void {
-  const { vertices } = roadmap
   const firstRefusal = refusals(problem)
   const withRefusals = vertices.length <= MOST_VERTICES_WITH_REFUSALS
-  const pairs = new Uint8Array(vertices.length)
-  const joined: number[] = []
-  const edges = roomForEdges(roadmap)
+  /** How each vertex is joined to the one whose turn it is. */
+  const joins = new Uint8Array(problem.grid.walls.length)
+  const joined: Cell[] = []
   const weigh = simplestPathWeights(cost, problem.grid.width)
+  const join = (vertex: Cell, outward: Outward): void => {
+    if (joins[vertex] !== REFUSED) return
+    joins[vertex] = outward ? OUTWARD : INWARD
+    joined.push(vertex)
+  }
   tape.write(EVENT.phase, -1, 1)
   const before = tape.length
-  for (let vertex = 0; vertex < vertices.length; vertex++) {
-    const from = vertices[vertex]
-    if (vertex % 64 === 0) progress(vertex / vertices.length)
+  for (let i = 0; i < vertices.length; i++) {
+    const from = vertices[i]
+    if (i % 64 === 0) progress(i / vertices.length)
     if (tape.length - before > MOST_EDGES) {
       tape.write(EVENT.cut, from, -1, tape.length - before)
       return
     }
+    joins[from] = DONE
     joined.length = 0
-    const count = roadmap.edgesOf(vertex, edges)
-    for (let i = 0; i < count; i++) {
-      const other = otherEnd(edges[i])
-      if (other <= vertex || pairs[other] !== REFUSED) continue
-      pairs[other] = isOutward(edges[i]) ? OUTWARD : INWARD
-      joined.push(other)
-    }
-    if (withRefusals) {
-      joined.length = 0
-      for (let other = vertex + 1; other < vertices.length; other++) joined.push(other)
-    }
-    for (const other of joined) {
-      const to = vertices[other]
-      if (pairs[other] === REFUSED) tape.write(EVENT.refuse, from, to, firstRefusal(from, to))
+    sight.all(from, join)
+    for (const to of withRefusals ? vertices.subarray(i + 1) : joined) {
+      if (joins[to] === REFUSED) tape.write(EVENT.refuse, from, to, firstRefusal(from, to))
       else {
         const weight = costOfWeight(cost, weigh(from, to))
-        if (pairs[other] === OUTWARD) tape.write(EVENT.edge, from, to, weight)
+        if (joins[to] === OUTWARD) tape.write(EVENT.edge, from, to, weight)
         else tape.write(EVENT.edge, to, from, weight)
       }
-      pairs[other] = REFUSED
+      joins[to] = REFUSED
     }
   }
 }

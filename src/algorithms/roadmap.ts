@@ -5,33 +5,20 @@ import { simplestPath } from '../grid/simplest-path'
 import { EVENT, type Status } from '../trace/events'
 import type { Tape } from '../trace/tape'
 import { type Cost, costOfWeight, simplestPathWeights } from './costs'
+import { memoryFor } from './grid-search/memory'
 import type { Answer } from './planner'
 import { pseudocode } from './pseudocode'
 import { recordEdges } from './roadmap-edges'
 import type { Search } from './search-param'
+import { Sight } from './sight/sight'
 
 /** A graph over some of the map's free cells, joined where a simplest path between them is free. */
 export interface Roadmap {
   /** The cells that are vertices, each once, start and goal among them. */
   readonly vertices: Int32Array
-  /**
-   * Writes the edges of a vertex, named by its place in `vertices`, into the array and returns
-   * their number. Each is an `edgeTo`; a vertex may stand there twice, once for each way round.
-   */
-  edgesOf(vertex: number, edges: Int32Array): number
+  /** For each cell of the map 1 if it is one of them. */
+  readonly isVertex: Uint8Array
 }
-
-/**
- * An edge to the vertex `other`. `outward` tells which simplest path is known to be free: the one
- * to that vertex (1), or else the one back from it (0).
- */
-export const edgeTo = (other: number, outward: 0 | 1): number => (other << 1) | outward
-export const otherEnd = (edge: number): number => edge >> 1
-export const isOutward = (edge: number): boolean => (edge & 1) === 1
-
-/** Room for all that `edgesOf` may write. */
-export const roomForEdges = ({ vertices }: Roadmap): Int32Array =>
-  new Int32Array(2 * vertices.length)
 
 type RoadmapLines = ReturnType<typeof roadmapPseudocode>['line']
 
@@ -49,6 +36,7 @@ export function roadmapPseudocode(own: { readonly vertices: string; readonly non
 }
 
 export const roadmapPhases = ['Find the vertices', 'Try simplest paths', 'Search', 'Path'] as const
+export const roadmapVariables = ['least cost of a path over this vertex'] as const
 
 interface Task {
   readonly problem: Problem
@@ -61,66 +49,84 @@ interface Task {
   readonly progress: (done: number) => void
 }
 
+/** States of a vertex, 0 before it is reached; with `OUTWARD` if the simplest path to it is the free one. */
+const OPEN = 2
+const CLOSED = 4
+const OUTWARD = 1
+
 /**
- * Dijkstra or A* over a roadmap. An edge weighs what its simplest path costs. Edges are found as the
- * search needs them; only a tape has all of them recorded first, as the report's method does it.
+ * Dijkstra or A* over a roadmap. An edge weighs what its simplest path weighs. Edges are found as
+ * the search needs them; only a tape has all of them recorded first, as the report's method does it.
  *
- * A* adds the cost of the simplest path to the goal, whatever is in the way. No edge weighs less
+ * A* adds the weight of the simplest path to the goal, whatever is in the way. No edge weighs less
  * than what it takes off that (a simplest path is a shortest one), so a closed vertex is final, and
- * all that A* closes has less cost than the goal, so that Dijkstra closes it too.
+ * all that A* closes has less weight than the goal, so that Dijkstra closes it too.
  */
 export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   const { problem, cost, search, failure, lines, tape, progress } = task
-  const { vertices } = roadmap
-  const { width } = problem.grid
+  const { grid, start, goal } = problem
+  const { vertices, isVertex } = roadmap
+  const sight = new Sight(problem, isVertex, cost)
   const recording = tape ? 0.5 : 0
   if (tape) {
-    recordEdges(roadmap, problem, cost, tape.at(lines.edges), (done) => progress(recording * done))
+    const share = (done: number) => progress(recording * done)
+    recordEdges(roadmap, sight, problem, cost, tape.at(lines.edges), share)
   }
   tape?.at(lines.open).write(EVENT.phase, -1, 2)
-  const weigh = simplestPathWeights(cost, width)
-  const leftFrom = (cell: Cell) => (search === 'a-star' ? weigh(cell, problem.goal) : 0)
-  const start = vertices.indexOf(problem.start)
-  const goal = vertices.indexOf(problem.goal)
-  const weights = new Float64Array(vertices.length).fill(Number.POSITIVE_INFINITY)
-  const parents = new Int32Array(vertices.length).fill(-1)
-  /** Whether the simplest path from the parent is the free one, or else the one to it. */
-  const outwards = new Uint8Array(vertices.length)
-  const closed = new Uint8Array(vertices.length)
-  const edges = roomForEdges(roadmap)
-  const queue = new FlatQueue<number>()
-  weights[start] = 0
-  queue.push(start, 0)
-  tape?.write(EVENT.open, problem.start)
+  const isStarred = search === 'a-star'
+  const estimate = simplestPathWeights(cost, grid.width)
+  const { edges } = sight
+  const { states, weights, buckets } = memoryFor(grid.walls.length)
+  const parents = new Int32Array(grid.walls.length)
+  // Vertices straight on the way to the goal: of least weight already, they need not queue.
+  const [next] = buckets
+  const queue = new FlatQueue<Cell>()
+  let here = start
+  let soFar = 0
+  let least = isStarred ? estimate(start, goal) : 0
   let expanded = 0
-  for (let vertex = queue.pop(); vertex !== undefined; vertex = queue.pop()) {
-    if (closed[vertex]) continue
-    closed[vertex] = 1
-    tape
-      ?.at(lines.close)
-      .write(EVENT.close, vertices[vertex], -1, costOfWeight(cost, weights[vertex]))
+
+  states[start] = OPEN
+  weights[start] = 0
+  parents[start] = -1
+  next.push(start)
+  tape?.write(EVENT.open, start)
+  for (;;) {
+    if (next.count === 0) {
+      least = queue.peekValue() ?? least
+      const first = queue.pop()
+      if (first === undefined) break
+      next.push(first)
+    }
+    here = next.cells[--next.count]
+    // A vertex that was improved waits in a later place too.
+    if (states[here] & CLOSED) continue
+    states[here] |= CLOSED
+    soFar = weights[here]
+    tape?.at(lines.close).write(EVENT.close, here, -1, costOfWeight(cost, soFar))
+    if (isStarred) tape?.write(EVENT.value, here, 0, costOfWeight(cost, least))
     if (++expanded % 256 === 0) {
       progress(recording + ((1 - recording) * expanded) / vertices.length)
     }
-    if (vertex === goal) {
-      const path = joinCells(width, vertices, parents, outwards, goal)
+    if (here === goal) {
+      const path = joinCells(grid.width, goal, parents, states)
       tape?.at(lines.found).write(EVENT.phase, -1, 3)
       for (const cell of path) tape?.write(EVENT.path, cell)
       return { status: 'reached', reason: 'the shortest path on the roadmap', path, expanded }
     }
-    const count = roadmap.edgesOf(vertex, edges)
+    const count = sight.nearest(here)
     for (let i = 0; i < count; i++) {
-      const other = otherEnd(edges[i])
-      if (closed[other]) continue
-      const next = weights[vertex] + weigh(vertices[vertex], vertices[other])
-      if (next >= weights[other]) continue
-      weights[other] = next
-      parents[other] = vertex
-      outwards[other] = edges[i] & 1
-      queue.push(other, next + leftFrom(vertices[other]))
-      tape
-        ?.at(lines.open)
-        .write(EVENT.open, vertices[other], vertices[vertex], costOfWeight(cost, next))
+      const vertex = edges.ends[i]
+      const known = states[vertex]
+      const weight = soFar + edges.weights[i]
+      if (known & CLOSED || (known !== 0 && weight >= weights[vertex])) continue
+      states[vertex] = OPEN | edges.outwards[i]
+      weights[vertex] = weight
+      parents[vertex] = here
+      const whole = isStarred ? weight + estimate(vertex, goal) : weight
+      if (whole === least) next.push(vertex)
+      else queue.push(vertex, whole)
+      if (tape) tape.at(lines.open).write(EVENT.open, vertex, here, costOfWeight(cost, weight))
     }
   }
   tape?.at(lines.none)
@@ -128,20 +134,14 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
 }
 
 /** The cells from the start to the goal: the simplest paths of the edges, one after the other. */
-function joinCells(
-  width: number,
-  vertices: Int32Array,
-  parents: Int32Array,
-  outwards: Uint8Array,
-  goal: number,
-): Int32Array {
-  const backwards: Cell[] = [vertices[goal]]
+function joinCells(width: number, goal: Cell, parents: Int32Array, states: Uint8Array): Int32Array {
+  const backwards: Cell[] = [goal]
   for (let vertex = goal; parents[vertex] >= 0; vertex = parents[vertex]) {
-    const here = vertices[vertex]
-    const parent = vertices[parents[vertex]]
-    const cells = outwards[vertex]
-      ? simplestPath(width, parent, here).reverse()
-      : simplestPath(width, here, parent)
+    const parent = parents[vertex]
+    const cells =
+      states[vertex] & OUTWARD
+        ? simplestPath(width, parent, vertex).reverse()
+        : simplestPath(width, vertex, parent)
     for (const cell of cells.subarray(1)) backwards.push(cell)
   }
   return Int32Array.from(backwards.reverse())

@@ -1,13 +1,18 @@
-import { DX, DY, isDiagonal, stepOffsets } from '../grid/directions'
+import { opposite, stepped } from '../grid/directions'
 import { type Cell, isInside, pointOf } from '../grid/grid'
 import { allLegalSteps } from '../grid/legal-steps'
 import type { Problem } from '../grid/problem'
-import { obstaclesAround } from '../grid/steps'
 import { EVENT } from '../trace/events'
 import type { Tape } from '../trace/tape'
 import { costParam } from './costs'
 import { offlinePlanner } from './planner'
-import { edgeTo, type Roadmap, roadmapPhases, roadmapPseudocode, searchRoadmap } from './roadmap'
+import {
+  type Roadmap,
+  roadmapPhases,
+  roadmapPseudocode,
+  roadmapVariables,
+  searchRoadmap,
+} from './roadmap'
 import { searchParam } from './search-param'
 
 const { text, line } = roadmapPseudocode({
@@ -26,6 +31,7 @@ export const visibilityGraph = offlinePlanner({
   optimal: ({ cost }, diagonal) => cost === 'cells' && diagonal === 'only-when-no-obstacles',
   params: [searchParam, costParam],
   phases: roadmapPhases,
+  variables: roadmapVariables,
   pseudocode: text,
   source:
     'Report, IV.B; T. Lozano-Pérez and M. A. Wesley, "An algorithm for planning collision-free paths among polyhedral obstacles", 1979',
@@ -42,74 +48,56 @@ export const visibilityGraph = offlinePlanner({
   },
 })
 
-/** The cells that are vertices: start, goal, and the free corners of obstacles (Fig. 4). */
-function findVertices({ grid, start, goal }: Problem, tape: Tape | undefined): Int32Array {
-  const offsets = stepOffsets(grid.width)
-  const isVertex = new Uint8Array(grid.walls.length)
-  const vertices: Cell[] = []
+/** Its vertices are start, goal, and the free corners of obstacles (Fig. 4). */
+function visibilityRoadmap(problem: Problem, tape: Tape | undefined): Roadmap {
+  const { grid, start, goal, diagonal } = problem
+  const legal = allLegalSteps(grid, diagonal)
+  const isVertex = new Uint8Array(legal.length)
+  let count = 0
+  for (let cell = 0; cell < legal.length; cell++) {
+    const vertex = CORNERS[legal[cell]] !== 0 || cell === start || cell === goal ? 1 : 0
+    isVertex[cell] = vertex
+    count += vertex
+  }
+  const vertices = new Int32Array(count)
+  for (let cell = 0, i = 0; i < count; cell++) if (isVertex[cell]) vertices[i++] = cell
+  if (tape) recordVertices(problem, legal, tape)
+  return { vertices, isVertex }
+}
+
+/**
+ * By the legal steps of a cell the diagonal directions in which an obstacle has its corner there:
+ * those in which a step is illegal although both beside it are legal, under both rules.
+ */
+const CORNERS = Uint8Array.from({ length: 256 }, (_, legal) => {
+  let corners = 0
+  for (let d = 1; d < 8; d += 2) {
+    const free = (1 << (d - 1)) | (1 << ((d + 1) & 7))
+    if ((legal & (free | (1 << d))) === free) corners |= 1 << d
+  }
+  return corners
+})
+
+/** Writes down how each obstacle's corners are tried. */
+function recordVertices({ grid, start, goal }: Problem, legal: Uint8Array, tape: Tape): void {
+  const known = new Uint8Array(legal.length)
   const add = (cell: Cell) => {
-    if (isVertex[cell]) return
-    isVertex[cell] = 1
-    vertices.push(cell)
-    tape?.write(EVENT.vertex, cell)
+    if (known[cell]) return
+    known[cell] = 1
+    tape.write(EVENT.vertex, cell)
   }
   add(start)
   add(goal)
-  for (let obstacle = 0; obstacle < grid.walls.length; obstacle++) {
+  for (let obstacle = 0; obstacle < legal.length; obstacle++) {
     if (!grid.walls[obstacle]) continue
-    const around = obstaclesAround(grid, obstacle)
-    const { x, y } = pointOf(grid.width, obstacle)
+    const place = pointOf(grid.width, obstacle)
     for (let d = 1; d < 8; d += 2) {
-      const isCorner = (around & CORNER[d]) === 0
-      const cell = obstacle + offsets[d]
-      if (tape && isInside(grid, x + DX[d], y + DY[d])) {
-        tape.write(EVENT.test, cell, obstacle, isCorner ? 1 : 0)
-      }
+      const { x, y } = stepped(place, d)
+      if (!isInside(grid, x, y)) continue
+      const cell = y * grid.width + x
+      const isCorner = (CORNERS[legal[cell]] >> opposite(d)) & 1
+      tape.write(EVENT.test, cell, obstacle, isCorner)
       if (isCorner) add(cell)
     }
   }
-  return Int32Array.from(vertices)
-}
-
-/** For each diagonal direction the three directions whose cells must be free around a corner. */
-const CORNER = Uint8Array.from({ length: 8 }, (_, d) =>
-  isDiagonal(d) ? (1 << (d - 1)) | (1 << d) | (1 << ((d + 1) & 7)) : 0,
-)
-
-/**
- * The visibility graph, whose edges are found by looking: all cells with a free simplest path from
- * or to a vertex lie on rays that bend once, so walking these rays finds its neighbours in time
- * that grows with what it sees, not with the number of vertices.
- */
-function visibilityRoadmap(problem: Problem, tape: Tape | undefined): Roadmap {
-  const { grid, diagonal } = problem
-  const legal = allLegalSteps(grid, diagonal)
-  const offsets = stepOffsets(grid.width)
-  const vertices = findVertices(problem, tape)
-  /** For each cell the place of its vertex, counted from 1; 0 if it is none. */
-  const places = new Int32Array(grid.walls.length)
-  for (let i = 0; i < vertices.length; i++) places[vertices[i]] = i + 1
-
-  const edgesOf = (vertex: number, edges: Int32Array): number => {
-    let count = 0
-    for (let d = 0; d < 8; d++) {
-      // A simplest path begins with its diagonal part: after a straight ray it is walked backwards.
-      const outward = (d & 1) as 0 | 1
-      const offset = offsets[d]
-      for (let bend = vertices[vertex]; (legal[bend] >> d) & 1; ) {
-        bend += offset
-        if (places[bend] > 0) edges[count++] = edgeTo(places[bend] - 1, 1)
-        for (let turn = -1; turn <= 1; turn += 2) {
-          const second = (d + turn) & 7
-          const onward = offsets[second]
-          for (let cell = bend; (legal[cell] >> second) & 1; ) {
-            cell += onward
-            if (places[cell] > 0) edges[count++] = edgeTo(places[cell] - 1, outward)
-          }
-        }
-      }
-    }
-    return count
-  }
-  return { vertices, edgesOf }
 }

@@ -1,12 +1,9 @@
 import { announcer } from './announcer'
 import { comparingFor } from './compare/comparing'
-import { aboutDialog } from './dialogs/about-planner'
-import { dialog } from './dialogs/dialog'
-import { generateDialog } from './dialogs/generate'
-import { newMapDialog } from './dialogs/new-map'
-import { scenariosDialog } from './dialogs/scenarios'
+import { dialogsOf } from './dialogs/on-demand'
 import { byId } from './element'
 import { bindFiles } from './files'
+import { oncePlanned } from './first-picture'
 import { drawIcons } from './icons'
 import { keep } from './keeper'
 import { bindLink } from './open-link'
@@ -36,42 +33,45 @@ export function startApp(): void {
   const shelf = browserShelf()
   const { setup, isFirstVisit, message } = beginWith(loadSetup(shelf))
   const store = createStore(initialState(setup, loadPreferences(shelf)))
-  const map = byId('map', HTMLDivElement)
-  drawIcons(document)
-
   const isLinked = bindLink(store)
   const planning = planningFor(store, welcomes(store, isFirstVisit, isLinked))
+  // The worker plans while the page is put together.
+  planning.ask()
+
+  const map = byId('map', HTMLDivElement)
+  drawIcons(document)
   const stage = new Stage(store, map, planning.tick)
   comparingFor(store)
   // After the link, whose map takes the place of what was drawn only once it is changed.
   keep(store, shelf)
-  stage.open(panels(store, planning, stage))
-  bindInput(map, store, openHelp)
+  const dialogs = dialogsOf(store)
+  const shown = panels(store, planning, stage, dialogs)
+  oncePlanned(store, () => stage.open(shown))
+  bindInput(map, store, dialogs.help)
 
   if (message) store.update((state) => tell(state, 'note', message))
-  planning.ask()
 }
 
-const openHelp = () => byId('help-dialog', HTMLDialogElement).showModal()
-
-function panels(store: Store<State>, planning: Planning, stage: Stage): readonly Panel[] {
-  dialog('help-dialog')
+function panels(
+  store: Store<State>,
+  planning: Planning,
+  stage: Stage,
+  { about, help, ...others }: ReturnType<typeof dialogsOf>,
+): readonly Panel[] {
   mapMenu({
-    new: newMapDialog(store),
-    scenarios: scenariosDialog(store),
-    generate: generateDialog(store),
+    ...others,
     open: bindFiles(store),
     ...savers(store, () => stage.scene()),
     'clear-obstacles': () => store.update(clearObstacles),
     'clear-path': () => store.update(hidePath),
   })
   return [
-    plannerCard(store, aboutDialog(store)),
+    plannerCard(store, about),
     resultCard(planning),
     stepsCard(store),
     compareCard(store, () => stage.coversChanged(true)),
     playbackBar(store),
-    toolbar(store, openHelp),
+    toolbar(store, help),
     messages(store),
     hint(store, () => stage.coversChanged(true)),
     announcer(byId('live', HTMLParagraphElement)),

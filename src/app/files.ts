@@ -1,5 +1,4 @@
 import { InputError } from '../grid/errors'
-import { openMap } from '../grid/formats/open-map'
 import { onFileDropped } from './drop-zone'
 import { byId } from './element'
 import type { State } from './state'
@@ -18,6 +17,7 @@ async function openFile(store: Store<State>, file: File): Promise<void> {
         `It has ${size} MB, more than the ${MOST_BYTES / 2 ** 20} MB of any map.`,
       )
     }
+    const { openMap } = await import('../grid/formats/open-map')
     const { problem, notes } = openMap(await file.text())
     const { width, height } = problem.grid
     const opened = `Opened ${file.name}: ${width} × ${height} cells.`

@@ -1,5 +1,3 @@
-import { movingAiMap } from '../grid/formats/movingai'
-import { saveProject } from '../grid/formats/project-file'
 import type { Grid } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import type { Scene } from '../render/scene'
@@ -18,15 +16,15 @@ interface Saved {
 /** The map's name without an ending, the same for all files that belong together. */
 const nameOf = ({ width, height }: Grid): string => `path-planner-${width}x${height}`
 
-const projectFile = ({ setup: { problem } }: State): Saved => ({
-  name: `${nameOf(problem.grid)}.json`,
-  content: saveProject(problem),
-})
+async function projectFile({ setup: { problem } }: State): Promise<Saved> {
+  const { saveProject } = await import('../grid/formats/project-file')
+  return { name: `${nameOf(problem.grid)}.json`, content: saveProject(problem) }
+}
 
-const mapFile = ({ grid }: Problem): Saved => ({
-  name: `${nameOf(grid)}.map`,
-  content: movingAiMap(grid),
-})
+async function mapFile({ grid }: Problem): Promise<Saved> {
+  const { movingAiMap } = await import('../grid/formats/movingai')
+  return { name: `${nameOf(grid)}.map`, content: movingAiMap(grid) }
+}
 
 /** The trace of the plan on screen, and the map that it opens upon. */
 async function traceFiles(state: State): Promise<Saved[]> {
@@ -36,7 +34,7 @@ async function traceFiles(state: State): Promise<Saved[]> {
   const { setup, tape } = shown
   const { id, title, phases, variables } = plannerOf(setup)
   const { problem } = setup
-  const map = mapFile(problem)
+  const map = await mapFile(problem)
   const info = { plannerId: id, title, phases, variables, problem, mapFile: map.name }
   const name = `${nameOf(problem.grid)}-${id}.trace.json`
   return [{ name, content: posthocTrace(tape, info) }, map]
@@ -66,8 +64,8 @@ export function savers(store: Store<State>, sceneNow: () => Scene) {
     )
   }
   return {
-    save: save(async (state) => [projectFile(state)]),
-    'save-map': save(async (state) => [mapFile(state.setup.problem)]),
+    save: save(async (state) => [await projectFile(state)]),
+    'save-map': save(async (state) => [await mapFile(state.setup.problem)]),
     'save-trace': save(traceFiles),
     'save-png': save(async (state) => [await pictureFile(state, sceneNow(), 'png')]),
     'save-svg': save(async (state) => [await pictureFile(state, sceneNow(), 'svg')]),

@@ -1,20 +1,6 @@
-import type { ParamSettings } from '../algorithms/params'
-import type { Problem } from '../grid/problem'
 import { problemFromText } from '../grid/text-map'
+import { type Scenario, slantingWall } from './scenario'
 import { maps } from './scenario-maps'
-
-/** A map of the report with the planner and the settings that it shows. */
-export interface Scenario {
-  readonly id: string
-  readonly title: string
-  /** Where the report shows it; empty for a map that is not in it. */
-  readonly figure: string
-  /** One sentence on what to look at. */
-  readonly see: string
-  readonly problem: Problem
-  readonly planner: string
-  readonly params: ParamSettings
-}
 
 export const scenarios: readonly Scenario[] = [
   {
@@ -107,15 +93,7 @@ export const scenarios: readonly Scenario[] = [
     planner: 'bug2',
     params: { leave: 'report' },
   },
-  {
-    id: 'fig14-tangent-bug',
-    title: 'A slanting wall, Tangent Bug',
-    figure: 'Fig. 14',
-    see: 'Sensing ahead does not always pay: here Tangent Bug comes to the goal by a longer path than Bug2.',
-    problem: problemFromText(maps.fig14),
-    planner: 'tangent-bug',
-    params: { variant: 'report', range: 2 },
-  },
+  slantingWall,
   {
     id: 'banner',
     title: 'Path Planner in letters',
@@ -124,5 +102,14 @@ export const scenarios: readonly Scenario[] = [
     problem: problemFromText(maps.banner),
     planner: 'visibility-graph',
     params: {},
+  },
+  {
+    id: 'banner-a-star',
+    title: 'Path Planner in letters, A*',
+    figure: '',
+    see: 'A* also counts what is left to the goal at least, and closes 89 cells where Dijkstra closes 625 for the same cost: choose another Search and see.',
+    problem: problemFromText(maps.banner),
+    planner: 'decomposition',
+    params: { search: 'a-star' },
   },
 ]

@@ -34,6 +34,7 @@ export class Stage {
   #rendered: State | null = null
   #layout: 'measured' | 'grown' | 'rearranged' = 'rearranged'
   #isRequested = false
+  #isOpen = false
 
   constructor(store: Store<State>, map: HTMLElement, tick: () => void) {
     this.#store = store
@@ -47,14 +48,16 @@ export class Stage {
       this.#request()
     })
     store.subscribe(() => {
+      if (!this.#isOpen) return
       this.#describe()
       this.#request()
     })
   }
 
-  /** The first frame comes next. */
+  /** The first frame comes next; there is none before. */
   open(panels: readonly Panel[]): void {
     this.#panels = panels
+    this.#isOpen = true
     this.#resize()
   }
 
@@ -72,7 +75,7 @@ export class Stage {
   }
 
   #request(): void {
-    if (this.#isRequested) return
+    if (this.#isRequested || !this.#isOpen) return
     this.#isRequested = true
     requestAnimationFrame((now) => this.#draw(now))
   }

@@ -1,17 +1,11 @@
-import { plannerById } from '../algorithms/plan'
-import { withScenario } from './dialogs/scenarios'
-import { scenarios } from './scenarios'
+import { slantingWall, withScenario } from './scenario'
 import type { Setup } from './setup'
 import type { Loaded } from './storage'
 
-const FIRST_SCENARIO = 'fig14-tangent-bug'
-
 /** What newcomers see: a map that is solved already. */
 export function firstSetup(): Setup {
-  const scenario = scenarios.find(({ id }) => id === FIRST_SCENARIO) ?? scenarios[0]
-  const { problem, planner } = scenario
-  const bare = { problem, plannerId: plannerById(planner).id, params: {}, seed: 1 }
-  return withScenario(bare, scenario)
+  const { problem, planner } = slantingWall
+  return withScenario({ problem, plannerId: planner, params: {}, seed: 1 }, slantingWall)
 }
 
 export interface Beginning {

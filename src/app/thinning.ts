@@ -1,4 +1,4 @@
-import type { Thinning } from '../trace/tape'
+import type { Thinning } from '../trace/thinning'
 
 /** What a long plan leaves out of its steps: beside their number, and as sentences; both may be empty. */
 export interface LeftOut {

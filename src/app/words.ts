@@ -1,6 +1,7 @@
 import type { Outcome } from '../algorithms/plan'
 import { cellName } from '../grid/grid'
 import type { Status } from '../trace/events'
+import { countInWords, numberInWords } from './numbers'
 
 /** How good the news is: it gets its own colour and icon. */
 export type Tone = 'good' | 'proof' | 'bad'
@@ -8,8 +9,7 @@ export type Tone = 'good' | 'proof' | 'bad'
 export const toneOf = (status: Status): Tone =>
   status === 'reached' ? 'good' : status === 'unreachable' ? 'proof' : 'bad'
 
-export const cellsInWords = (count: number): string =>
-  `${count.toLocaleString('en')} ${count === 1 ? 'cell' : 'cells'}`
+export const cellsInWords = (count: number): string => countInWords(count, 'cell')
 
 /**
  * What came out, in one line.
@@ -59,17 +59,16 @@ export function outcomeNumbers(
   milliseconds: number,
   family: 'offline' | 'online',
 ): Row[] {
-  const count = (value: number) => value.toLocaleString('en')
   const walked = status === 'reached' ? 'Path' : 'Walked so far'
   const rows = [{ label: 'Time to plan', value: timeInWords(milliseconds) }]
   if (path.length > 0) {
     rows.push(
       { label: walked, value: cellsInWords(path.length) },
       { label: 'Euclidean length', value: measure.length.toFixed(2) },
-      { label: 'Turns', value: count(measure.turns) },
+      { label: 'Turns', value: numberInWords(measure.turns) },
     )
   }
   if (family === 'online') rows.push({ label: 'Sensed', value: cellsInWords(sensed) })
-  else if (expanded > 0) rows.push({ label: 'Expanded', value: count(expanded) })
+  else if (expanded > 0) rows.push({ label: 'Expanded', value: numberInWords(expanded) })
   return rows
 }

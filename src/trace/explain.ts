@@ -1,7 +1,8 @@
 import { type Cell, cellName } from '../grid/grid'
 import { EVENT, STATUSES, type Status } from './events'
 import type { Frame } from './frame'
-import type { TapeColumns, Thinning } from './tape'
+import type { TapeColumns } from './tape'
+import type { Thinning } from './thinning'
 
 const SIDES = ['left', 'right'] as const
 

@@ -1,5 +1,6 @@
 import type { Cell } from '../grid/grid'
-import { EVENT, type EventKind } from './events'
+import type { EventKind } from './events'
+import { LEFT_OUT, type Thinning } from './thinning'
 
 const FIRST_ROOM = 1024
 
@@ -8,40 +9,6 @@ const FIRST_ROOM = 1024
  * first event on; if that is not enough, all that comes later.
  */
 const MOST_EVENTS = 10_000_000
-
-/** Events without which the others can be followed. */
-const SMALL: ReadonlySet<number> = new Set([
-  EVENT.row,
-  EVENT.test,
-  EVENT.refuse,
-  EVENT.open,
-  EVENT.attraction,
-  EVENT.repulsion,
-  EVENT.sense,
-  EVENT.target,
-  EVENT.turn,
-  EVENT.feel,
-  EVENT.scan,
-  EVENT.node,
-  EVENT.value,
-])
-
-const ALL = new Set<number>(Object.values(EVENT))
-/** That it was cut is no reason not to say how it ended. */
-const ALL_BUT_THE_END = new Set([...ALL].filter((kind) => kind !== EVENT.end))
-
-const marked = (kinds: ReadonlySet<number>): Uint8Array =>
-  Uint8Array.from({ length: ALL.size }, (_, kind) => (kinds.has(kind) ? 1 : 0))
-
-/** By kind whether an event is left out. */
-const LEFT_OUT: Record<Thinning, Uint8Array> = {
-  whole: marked(new Set()),
-  thinned: marked(SMALL),
-  cut: marked(ALL_BUT_THE_END),
-}
-
-/** What a long tape leaves out: nothing; small events, all along; these, and what came at its end. */
-export type Thinning = 'whole' | 'thinned' | 'cut'
 
 /** The columns of a tape, one entry an event; the arrays may be longer than `length`. */
 export interface TapeColumns {
@@ -72,8 +39,9 @@ export class Tape implements TapeColumns {
   others = new Int32Array(FIRST_ROOM)
   values = new Float64Array(FIRST_ROOM)
   thinning: Thinning = 'whole'
-  #leftOut = LEFT_OUT.whole
   readonly #most: number
+  /** While there are fewer events than this, writing needs no thought. */
+  #easy = FIRST_ROOM
   /** Where the planner is in its pseudocode; every event is stamped with it. */
   line = 0
 
@@ -85,7 +53,7 @@ export class Tape implements TapeColumns {
   /** A tape around columns that came from a worker. */
   static from(columns: TapeColumns): Tape {
     const tape = Object.assign(new Tape(), columns)
-    tape.#leftOut = LEFT_OUT[columns.thinning]
+    tape.#markEasy()
     return tape
   }
 
@@ -117,13 +85,8 @@ export class Tape implements TapeColumns {
   }
 
   write(kind: EventKind, cell: Cell = -1, other = -1, value = 0): void {
-    if (this.#leftOut[kind]) return
+    if (this.length >= this.#easy && !this.#makeRoomFor(kind)) return
     const i = this.length
-    if (i === this.kinds.length) {
-      this.#grow()
-      this.write(kind, cell, other, value)
-      return
-    }
     this.kinds[i] = kind
     this.lines[i] = this.line
     this.cells[i] = cell
@@ -142,6 +105,19 @@ export class Tape implements TapeColumns {
     return { columns, buffers: [kinds, lines, cells, others, values].map((c) => c.buffer) }
   }
 
+  /** Whether an event of this kind is to be written; if so, there is room for it then. */
+  #makeRoomFor(kind: EventKind): boolean {
+    while (!LEFT_OUT[this.thinning][kind]) {
+      if (this.length < this.kinds.length) return true
+      this.#grow()
+    }
+    return false
+  }
+
+  #markEasy(): void {
+    this.#easy = this.thinning === 'whole' ? this.kinds.length : 0
+  }
+
   #grow(): void {
     const { length } = this
     if (length < this.#most) this.#resize(Math.min(Math.max(2 * length, FIRST_ROOM), this.#most))
@@ -155,11 +131,12 @@ export class Tape implements TapeColumns {
 
   #thin(thinning: Thinning): void {
     this.thinning = thinning
-    this.#leftOut = LEFT_OUT[thinning]
+    this.#markEasy()
     if (thinning !== 'thinned') return
+    const leftOut = LEFT_OUT[thinning]
     let kept = 0
     for (let i = 0; i < this.length; i++) {
-      if (this.#leftOut[this.kinds[i]]) continue
+      if (leftOut[this.kinds[i]]) continue
       this.kinds[kept] = this.kinds[i]
       this.lines[kept] = this.lines[i]
       this.cells[kept] = this.cells[i]
@@ -177,6 +154,7 @@ export class Tape implements TapeColumns {
     this.cells = copied(cells, new Int32Array(room), length)
     this.others = copied(others, new Int32Array(room), length)
     this.values = copied(values, new Float64Array(room), length)
+    this.#markEasy()
   }
 }
 

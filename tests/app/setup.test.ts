@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { withScenario } from '../../src/app/dialogs/scenarios'
+import { withScenario } from '../../src/app/scenario'
 import { scenarios } from '../../src/app/scenarios'
 import {
   emptyProblem,

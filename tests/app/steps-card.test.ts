@@ -128,9 +128,19 @@ describe('the numbers of a step', () => {
     expect(seen).not.toContain('-1')
   })
 
-  it('are short', () => {
-    const words = [3, -1.5, Math.SQRT2, 12345.678, Number.POSITIVE_INFINITY].map(numberInWords)
-    expect(words).toEqual(['3', '-1.5', '1.41', '12,345.68', '∞'])
+  it.each([
+    [3, '3'],
+    [999, '999'],
+    [1000, '1,000'],
+    [-123456, '-123,456'],
+    [-1.5, '-1.5'],
+    [Math.SQRT2, '1.41'],
+    [12345.678, '12,345.68'],
+    [1e7, '10,000,000'],
+    [Number.POSITIVE_INFINITY, '∞'],
+    [Number.NaN, '–'],
+  ])('are short: %d', (number, words) => {
+    expect(numberInWords(number)).toBe(words)
   })
 })
 

@@ -8,7 +8,7 @@ import { freeCells, isWall, placesOf, type World } from '../reference/world'
 /** Another field for each map, the report's among them. */
 function fieldNumber(index: number): Field {
   return {
-    influence: [1, 0, 2, 1, 3, 5, 9][index % 7],
+    influence: [1, 0, 2, 1, 3, 5, 9, 1, 30, 2, 4][index % 11],
     // With 2 and 6 many neighbours are equally low.
     repulsiveValue: [30, 2, 200, 0, 7.5, 6][index % 6],
     repulsionDistance: index % 5 < 2 ? 'manhattan' : 'euclidean',

@@ -1,6 +1,4 @@
-import FlatQueue from 'flatqueue'
 import { stepOffsets } from '../../grid/directions'
-import type { Cell } from '../../grid/grid'
 import { allLegalSteps } from '../../grid/legal-steps'
 import { EVENT } from '../../trace/events'
 import { costOfWeight, DIAGONAL_WEIGHT, simplestPathWeights } from '../costs'
@@ -24,9 +22,8 @@ export const aStar = (task: SearchTask): Found => search(task, false)
 export const jumpPointSearch = (task: SearchTask): Found => search(task, true)
 
 /**
- * A step straight for the goal makes the way longer by what it takes from the estimate, and nothing
- * open can be better: its cell comes next, without going through the heap. So among equals the cell
- * that is furthest on its way goes first, and over open ground the search runs to the goal.
+ * A step straight for the goal makes the way longer by what it takes from the estimate, so its cell
+ * comes next of all: over open ground the search runs to the goal.
  */
 function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: boolean): Found {
   const { grid, start, goal, diagonal } = problem
@@ -38,23 +35,14 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
   const estimate = simplestPathWeights(cost, grid.width)
   const memory = memoryFor(cells)
   const { states, weights } = memory
-  const jumps = new Jumps(legal, successors, offsets, diagonalWeight, goal, memory)
-  const [next] = memory.buckets
-  const heap = new FlatQueue<Cell>()
-  let least = estimate(start, goal)
+  const jumps = jumping ? new Jumps(legal, successors, offsets, diagonalWeight, goal, memory) : null
+  const { openCells } = memory
   let expanded = 0
   states[start] = OPEN | NO_DIRECTION
   weights[start] = 0
-  next.push(start)
+  openCells.begin(start, estimate(start, goal))
   tape?.at(lines.open).write(EVENT.open, start)
-  for (;;) {
-    if (next.count === 0) {
-      least = heap.peekValue() ?? least
-      const first = heap.pop()
-      if (first === undefined) return { path: new Int32Array(0), expanded }
-      next.push(first)
-    }
-    const cell = next.cells[--next.count]
+  for (let cell = openCells.pop(); cell >= 0; cell = openCells.pop()) {
     const state = states[cell]
     // A cell that was improved waits in a later place too.
     if (state & CLOSED) continue
@@ -62,7 +50,7 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
     const weight = weights[cell]
     if (tape) {
       tape.at(lines.close).write(EVENT.close, cell, -1, costOfWeight(cost, weight))
-      tape.write(EVENT.value, cell, 0, costOfWeight(cost, least))
+      tape.write(EVENT.value, cell, 0, costOfWeight(cost, openCells.least))
     }
     if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
     if (cell === goal) {
@@ -74,7 +62,7 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
       steps ^= 1 << direction
       let reached = cell + offsets[direction]
       let longer = weight + (direction & 1 ? diagonalWeight : 1)
-      if (jumping) {
+      if (jumps) {
         reached = jumps.from(cell, direction, weight)
         if (reached < 0) continue
         longer = jumps.weight
@@ -84,10 +72,9 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
       if (known & CLOSED || (known !== 0 && longer >= weights[reached])) continue
       states[reached] = OPEN | direction
       weights[reached] = longer
-      const whole = longer + estimate(reached, goal)
-      if (whole === least) next.push(reached)
-      else heap.push(reached, whole)
+      openCells.push(reached, longer + estimate(reached, goal))
       if (tape) tape.at(lines.open).write(EVENT.open, reached, cell, costOfWeight(cost, longer))
     }
   }
+  return { path: new Int32Array(0), expanded }
 }

@@ -1,4 +1,5 @@
 import { Bucket } from './bucket'
+import { OpenCells } from './open-cells'
 
 /** What a search knows of a cell: one of these two, with the direction of the step that led to it. */
 export const OPEN = 16
@@ -14,6 +15,8 @@ export interface Memory {
   readonly weights: Float64Array
   /** Empty ones. */
   readonly buckets: readonly [Bucket, Bucket, Bucket]
+  /** To be begun. */
+  readonly openCells: OpenCells
 }
 
 /** Up to so many cells the memory is kept for the next search. */
@@ -41,5 +44,6 @@ function newMemory(cells: number): Memory {
     states: new Uint8Array(cells),
     weights: new Float64Array(cells),
     buckets: [new Bucket(), new Bucket(), new Bucket()],
+    openCells: new OpenCells(),
   }
 }

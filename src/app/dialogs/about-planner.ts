@@ -2,11 +2,12 @@ import { byId, create, setText } from '../element'
 import { plannerOf, type Setup, valuesOf } from '../setup'
 import type { State } from '../state'
 import type { Store } from '../store'
-import { dialog } from './dialog'
+import markup from './about-planner.html?raw'
+import { newDialog } from './dialog'
 
-/** Binds the dialog that says what the chosen planner is; returns what opens it. */
+/** Makes the dialog that says what the chosen planner is; returns what opens it. */
 export function aboutDialog(store: Store<State>): () => void {
-  const element = dialog('about-dialog')
+  const element = newDialog('about-dialog', markup)
   const title = byId('about-title', HTMLHeadingElement)
   const body = byId('about-body', HTMLDivElement)
   return () => {

@@ -1,4 +1,5 @@
 import { byId } from '../element'
+import { drawIcons } from '../icons'
 
 /** A modal dialog of the page: the browser keeps the focus inside and gives it back afterwards. */
 export function dialog(id: string): HTMLDialogElement {
@@ -17,6 +18,14 @@ export function dialog(id: string): HTMLDialogElement {
       event.clientY <= bottom
     if (!isInside) element.close()
   })
+  return element
+}
+
+/** A modal dialog that is put into the page from its markup. */
+export function newDialog(id: string, markup: string): HTMLDialogElement {
+  document.querySelector('main')?.insertAdjacentHTML('beforeend', markup)
+  const element = dialog(id)
+  drawIcons(element)
   return element
 }
 

@@ -4,16 +4,17 @@ import { type NumberField, numberField } from '../panels/fields'
 import type { State } from '../state'
 import type { Store } from '../store'
 import { attempt, changeMap } from '../transitions'
-import { dialog, formOf } from './dialog'
+import { formOf, newDialog } from './dialog'
+import markup from './generate.html?raw'
 import { sizeFields } from './size-fields'
 
 const MOST_SEEDS = 2 ** 31 - 1
 const nothing = () => {}
 const ignored = { edited: nothing, done: nothing }
 
-/** Binds the dialog of the map generators; returns what opens it. */
+/** Makes the dialog of the map generators; returns what opens it. */
 export function generateDialog(store: Store<State>): () => void {
-  const element = dialog('generate-dialog')
+  const element = newDialog('generate-dialog', markup)
   const form = formOf(element)
   const kind = byId('generate-kind', HTMLSelectElement)
   const help = byId('generate-help', HTMLParagraphElement)

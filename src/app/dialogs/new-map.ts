@@ -3,12 +3,13 @@ import { emptyProblem, resizedProblem } from '../setup'
 import type { State } from '../state'
 import type { Store } from '../store'
 import { attempt, changeMap } from '../transitions'
-import { dialog, formOf } from './dialog'
+import { formOf, newDialog } from './dialog'
+import markup from './new-map.html?raw'
 import { sizeFields } from './size-fields'
 
-/** Binds the dialog for a new map; returns what opens it. */
+/** Makes the dialog for a new map; returns what opens it. */
 export function newMapDialog(store: Store<State>): () => void {
-  const element = dialog('new-dialog')
+  const element = newDialog('new-dialog', markup)
   const form = formOf(element)
   const size = sizeFields('new')
   byId('new-size', HTMLDivElement).append(...size.elements)

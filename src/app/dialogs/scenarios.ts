@@ -1,20 +1,16 @@
 import { plannerById } from '../../algorithms/plan'
 import { byId, create } from '../element'
-import { type Scenario, scenarios } from '../scenarios'
-import { type Setup, withSettings } from '../setup'
+import { type Scenario, withScenario } from '../scenario'
+import { scenarios } from '../scenarios'
 import type { State } from '../state'
 import type { Store } from '../store'
 import { changeMap } from '../transitions'
-import { dialog } from './dialog'
+import { newDialog } from './dialog'
+import markup from './scenarios.html?raw'
 
-/** The map of a scenario, with its planner and settings; the other planners keep theirs. */
-export function withScenario(setup: Setup, { problem, planner, params }: Scenario): Setup {
-  return withSettings({ ...setup, problem, plannerId: planner }, planner, params)
-}
-
-/** Binds the dialog of the scenarios; returns what opens it. */
+/** Makes the dialog of the scenarios; returns what opens it. */
 export function scenariosDialog(store: Store<State>): () => void {
-  const element = dialog('scenarios-dialog')
+  const element = newDialog('scenarios-dialog', markup)
   const list = byId('scenarios-list', HTMLUListElement)
   for (const scenario of scenarios) {
     const { title, figure, see, planner } = scenario

@@ -2,6 +2,7 @@ import type { Mark } from '../../charts/chart'
 import { chartsOf } from '../../charts/charts'
 import { chartThemes } from '../../charts/style'
 import type { Results } from '../../experiments/results'
+import { numberInWords } from '../numbers'
 import { type ChartCard, chartCard } from './chart-card'
 
 export interface ChartsEvents {
@@ -19,7 +20,7 @@ export class ChartsPanel {
   #width = 0
 
   constructor(container: HTMLElement, { settings, rows }: Results, events: ChartsEvents) {
-    const note = `Path Planner, seed ${settings.seed}, ${rows.length.toLocaleString('en')} runs`
+    const note = `Path Planner, seed ${settings.seed}, ${numberInWords(rows.length)} runs`
     this.#cards = chartsOf(settings, rows).map((chart) => chartCard(chart, note, events))
     this.#container = container
     container.replaceChildren(...this.#cards.map(({ element }) => element))

@@ -1,6 +1,7 @@
 import { countWork, type ExperimentSettings } from '../../experiments/settings'
 import { checkSettings } from '../../experiments/settings-check'
 import { InputError } from '../../grid/errors'
+import { numberInWords } from '../numbers'
 import { type Draft, valueIn } from './draft'
 
 /** What is wrong with the settings, and where: "planners[2].params.samples[0]". */
@@ -22,7 +23,7 @@ export function checkDraft(draft: Draft): Checked {
     const settings = checkSettings(valueIn(draft))
     const { runs } = countWork(settings)
     if (runs <= MOST_RUNS_HERE) return { kind: 'settings', settings }
-    const [asked, most] = [runs, MOST_RUNS_HERE].map((number) => number.toLocaleString('en'))
+    const [asked, most] = [runs, MOST_RUNS_HERE].map(numberInWords)
     const text = `These settings ask for ${asked} runs; this page keeps at most ${most}. Save them, and run them with "npm run experiment".`
     return { kind: 'fault', fault: { field: 'mapsPerCombination', text } }
   } catch (error) {

@@ -3,6 +3,7 @@ import { resultsToCsv } from '../../experiments/results-csv'
 import { resultsToJson } from '../../experiments/results-json'
 import { download } from '../download'
 import { byId, setText } from '../element'
+import { numberInWords } from '../numbers'
 import type { Store } from '../store'
 import { tell } from '../telling'
 import type { ChartsPanel } from './charts-panel'
@@ -41,7 +42,7 @@ export function resultsPanel(store: Store<PageState>): (state: PageState, isDark
 }
 
 function aboutInWords({ maps, total, results: { settings, rows } }: Shown): string {
-  const [m, t, r] = [maps, total, rows.length].map((number) => number.toLocaleString('en'))
+  const [m, t, r] = [maps, total, rows.length].map(numberInWords)
   const part = maps < total ? `The first ${m} of ${t} maps` : `${t} maps`
   return `${part}, ${r} runs, seed ${settings.seed}.`
 }

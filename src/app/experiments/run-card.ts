@@ -1,5 +1,6 @@
 import { countWork } from '../../experiments/settings'
 import { byId, setText } from '../element'
+import { numberInWords } from '../numbers'
 import type { PageState } from './state'
 import { progressInWords } from './transitions'
 
@@ -42,6 +43,6 @@ export function runCard(events: RunCardEvents): (state: PageState) => void {
 function amountInWords({ checked }: PageState): string {
   if (checked.kind === 'fault') return 'The settings have a mistake; it is marked.'
   const { maps, settings, runs } = countWork(checked.settings)
-  const [m, s, r] = [maps, settings, runs].map((number) => number.toLocaleString('en'))
+  const [m, s, r] = [maps, settings, runs].map(numberInWords)
   return `${m} maps × ${s} planner settings = ${r} runs`
 }

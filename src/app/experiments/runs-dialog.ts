@@ -3,6 +3,7 @@ import type { Row } from '../../experiments/row'
 import type { ExperimentSettings } from '../../experiments/settings'
 import { dialog } from '../dialogs/dialog'
 import { byId, create, setText } from '../element'
+import { numberInWords } from '../numbers'
 import { addressOf } from './open-in-playground'
 import { mapInWords, runInWords } from './run-words'
 
@@ -29,7 +30,7 @@ export function runsDialog(): (settings: ExperimentSettings, asked: RunsAsked) =
 }
 
 function listOf(settings: ExperimentSettings, { title, rows }: RunList): HTMLElement[] {
-  const head = create('h3', {}, `${title}: ${rows.length.toLocaleString('en')}`)
+  const head = create('h3', {}, `${title}: ${numberInWords(rows.length)}`)
   if (rows.length === 0) return [head]
   const list = create('ul', { class: 'runs' })
   const more = create('button', { type: 'button', class: 'btn tonal' })

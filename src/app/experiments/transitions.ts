@@ -9,6 +9,7 @@ import {
 } from '../../experiments/settings'
 import { groupBy } from '../../experiments/summary/groups'
 import { durationInWords } from '../../experiments/time-left'
+import { numberInWords } from '../numbers'
 import { type Draft, draftOf, type Entry, type List, newEntry } from './draft'
 import { checkDraft } from './faults'
 import type { PageState, Run } from './state'
@@ -68,7 +69,7 @@ const withEntry = (
 export const runStarted = (state: PageState, total: number): PageState => ({
   ...state,
   run: { kind: 'running', done: 0, total, left: null },
-  said: `Running ${total.toLocaleString('en')} maps.`,
+  said: `Running ${numberInWords(total)} maps.`,
 })
 
 export function runProgressed(state: PageState, done: number, left: number | null): PageState {
@@ -82,7 +83,7 @@ export function runProgressed(state: PageState, done: number, left: number | nul
 
 /** "1,200 of 10,000 maps, 3 min 20 s left". */
 export function progressInWords({ done, total, left }: Extract<Run, { kind: 'running' }>): string {
-  const maps = `${done.toLocaleString('en')} of ${total.toLocaleString('en')} maps`
+  const maps = `${numberInWords(done)} of ${numberInWords(total)} maps`
   return left === null ? maps : `${maps}, ${durationInWords(left)} left`
 }
 
@@ -90,7 +91,7 @@ export function progressInWords({ done, total, left }: Extract<Run, { kind: 'run
 export function showResults(state: PageState, results: Results): PageState {
   const { maps: total, settings } = countWork(results.settings)
   const maps = Math.floor(results.rows.length / settings)
-  const text = `Results of ${maps.toLocaleString('en')} maps.`
+  const text = `Results of ${numberInWords(maps)} maps.`
   return {
     ...state,
     run: { kind: 'idle' },

@@ -1,0 +1,155 @@
+import { lineChart } from '../src/evaluation/line-chart'
+import { logScale } from '../src/evaluation/scale'
+import type { Figure } from '../src/evaluation/svg'
+import { count, figure, table } from '../src/evaluation/words'
+import type { Checked } from './checked'
+import { faultInWords } from './faults'
+import { aDoubling, type Growth, isGrowthMet, MOST_A_DOUBLING, searchers, walkers } from './growth'
+import type { Result } from './timed'
+import { COLUMNS, columnsOf, digits } from './words'
+
+export interface SpeedDocument {
+  readonly markdown: string
+  readonly figures: readonly Figure[]
+}
+
+export interface Measured {
+  readonly checked: Checked
+  readonly results: readonly Result[]
+  readonly growth: readonly Growth[]
+  /** What it was measured on, in words. */
+  readonly machine: string
+}
+
+/**
+ * What the bench measured, as a document.
+ * @param folder where the drawings will be, as seen from the document
+ */
+export function speedDocument(measured: Measured, folder: string): SpeedDocument {
+  const { checked, results, growth, machine } = measured
+  const of = (growers: readonly Growth['grower'][]) =>
+    growth.filter(({ grower }) => growers.includes(grower))
+  const figures = [
+    growthFigure('growth-searches', 'Planners that search a graph', of(searchers)),
+    growthFigure('growth-walks', 'Fields and Bugs', of(walkers)),
+  ]
+  const shown = figures.map(({ alt, name }) => `![${alt}](${folder}/${name}.svg)`)
+  const parts = [
+    introduction(machine),
+    '## Who is right',
+    checkInMarkdown(checked),
+    '## Ratios',
+    ratiosInMarkdown(results),
+    '## Growth',
+    growthIntroduction,
+    growthTable(growth),
+    ...shown,
+  ]
+  return { markdown: `${parts.join('\n\n')}\n`, figures }
+}
+
+const introduction = (machine: string): string => `# How fast
+
+This page is written by \`npm run bench -- --docs\`. The bench runs our planners and those of other
+libraries in turn (A B A B) in one process: ours as the built library, from a plain array of obstacles
+that it has never seen to the checked answer; theirs with what they need anew for each query, such as a
+copy of a grid that serves one query only, but without what they can keep. All answers are compared
+before anything is timed. Times are medians; the ratio is the median of the ratios of neighbouring
+samples, beside its quartiles.
+
+Measured with ${machine}. The ratios say more than the times: they hold on other machines too.
+
+Maps come from this project's generators: \`random\` has 20 % obstacles, \`rooms\` and \`maze\` are the
+defaults, \`open\` has no obstacle. Starts and goals are random, at least three quarters of the longer
+side apart, and joined by a path. The diagonal rule is \`only-when-no-obstacles\`; the cost is
+\`euclidean\` if nothing else is said.`
+
+function checkInMarkdown({ queries, faults }: Checked): string {
+  const names = [...new Set(faults.map(({ who }) => who))]
+  const worst = (name: string) => {
+    const own = faults.filter(({ who }) => who === name)
+    const greatest = own.reduce((a, b) => (b.cost / b.least > a.cost / a.least ? b : a))
+    return `- ${name}: ${own.length} wrong, the worst ${faultInWords(greatest)}, on ${greatest.map.origin}`
+  }
+  return `On ${count(queries)} queries everyone was asked, and held against a plain Dijkstra. Ours gave the
+least cost on all of them, by every search. Peers that did not, under this rule and set up as they are here:
+
+${names.map(worst).join('\n')}`
+}
+
+function ratiosInMarkdown(results: readonly Result[]): string {
+  const bound = results.filter(({ one }) => one.target !== null)
+  const met = bound.filter(({ figures }) => figures.met)
+  const rows = results.map(({ one, figures }) => columnsOf(one, figures))
+  return `${met.length} of ${bound.length} targets are met. A target with ≥ is on how many times as fast as the peer ours is, one with ≤ on how
+many times the peer's time ours takes.
+
+${table([...COLUMNS], rows)}`
+}
+
+const growthIntroduction = `Random maps with 20 % obstacles, from 64 × 64 to 2048 × 2048 cells, three of each size; from one end of
+what can be reached to the other. The exponent is that of the power of the number of cells that fits the
+medians best. Decomposition by \`dijkstra\` and potential fields look at every cell once, so twice as many
+cells must take twice as long, within the limits of the processor's caches: at most ${MOST_A_DOUBLING} times.`
+
+function growthTable(growth: readonly Growth[]): string {
+  const sides = [64, 512, 2048]
+  const header = [
+    'planner',
+    ...sides.map((side) => `${side} × ${side}`),
+    'exponent',
+    'a doubling',
+    '',
+  ]
+  const rows = growth.map((one) => [
+    one.grower.name,
+    ...sides.map((wanted) => {
+      const point = one.points.find(({ side }) => side === wanted)
+      return point ? `${digits(point.median)} ms` : '–'
+    }),
+    one.exponent.toFixed(2),
+    `×${digits(aDoubling(one))}`,
+    one.grower.isLinear ? (isGrowthMet(one) ? 'met' : 'MISSED') : '',
+  ])
+  return table(header, rows)
+}
+
+function growthFigure(name: string, what: string, growth: readonly Growth[]): Figure {
+  const lines = growth.map(({ grower, points, exponent }) => ({
+    name: `${grower.name} (${exponent.toFixed(2)})`,
+    points: points.map(({ side, least, median, greatest }) => ({
+      x: side * side,
+      y: median,
+      low: least,
+      high: greatest,
+    })),
+  }))
+  const all = lines.flatMap(({ points }) => points)
+  const title = `${what}: time over the number of cells, both logarithmic, and the exponents`
+  const summary = lines.map(({ name: words }) => words).join(', ')
+  const svg = lineChart(
+    title,
+    {
+      label: 'cells of the map',
+      scale: (from, to) =>
+        logScale(
+          all.map(({ x }) => x),
+          from,
+          to,
+        ),
+      write: (cells) => (/^1/.test(String(cells)) ? count(cells) : ''),
+    },
+    {
+      label: 'milliseconds',
+      scale: (from, to) =>
+        logScale(
+          all.flatMap(({ low, high }) => [low, high]),
+          from,
+          to,
+        ),
+      write: figure,
+    },
+    lines,
+  )
+  return { name, alt: `${title}. ${summary}.`, svg }
+}

@@ -1,0 +1,99 @@
+import FlatQueue from 'flatqueue'
+import type { Cell } from '../../grid/grid'
+
+const SLOTS = 1 << 12
+const ROOM = 1 << 10
+const NONE = -1
+
+/**
+ * The open cells of A*, by the weight of the least path over them. Few weights differ, so cells of
+ * equal weight make a chain, and only the heads of chains go through a heap. Among equals it is the
+ * latest that come first: they are furthest on their way.
+ *
+ * What is taken out never weighs less than what was taken out before it, and what is put in neither.
+ */
+export class OpenCells {
+  /** The weight of the cell that was taken out last. */
+  least = 0
+  /** What is left of the chain of the least weight. */
+  #chain = NONE
+  readonly #heads = new FlatQueue<number>()
+  /** By slot the weight of the latest chain that fell into it, and that chain's head. */
+  readonly #weights = new Float64Array(SLOTS)
+  readonly #headOf = new Int32Array(SLOTS)
+  /** By link of a chain its cell and the next link. */
+  #cells = new Int32Array(ROOM)
+  #next = new Int32Array(ROOM)
+  #links = 0
+  #unused = NONE
+
+  /** Only `first` is open, and it weighs so much. */
+  begin(first: Cell, weight: number): void {
+    this.least = weight
+    this.#chain = NONE
+    this.#heads.clear()
+    this.#weights.fill(Number.NaN)
+    this.#links = 0
+    this.#unused = NONE
+    this.push(first, weight)
+  }
+
+  push(cell: Cell, weight: number): void {
+    const link = this.#newLink(cell)
+    if (weight === this.least) {
+      this.#next[link] = this.#chain
+      this.#chain = link
+      return
+    }
+    const whole = Math.floor(weight)
+    const slot = (whole * 1021 + (weight - whole) * 2 ** 23) & (SLOTS - 1)
+    if (this.#weights[slot] === weight) {
+      const head = this.#headOf[slot]
+      this.#next[link] = this.#next[head]
+      this.#next[head] = link
+      return
+    }
+    // Weights that share a slot may get a chain more than they need, and no harm is done.
+    this.#weights[slot] = weight
+    this.#headOf[slot] = link
+    this.#next[link] = NONE
+    this.#heads.push(link, weight)
+  }
+
+  /** Takes out the first of the cells; -1 if there is none. */
+  pop(): Cell {
+    let link = this.#chain
+    if (link === NONE) {
+      const least = this.#heads.peekValue()
+      const head = this.#heads.pop()
+      if (least === undefined || head === undefined) return -1
+      this.least = least
+      link = head
+    }
+    this.#chain = this.#next[link]
+    this.#next[link] = this.#unused
+    this.#unused = link
+    return this.#cells[link]
+  }
+
+  #newLink(cell: Cell): number {
+    let link = this.#unused
+    if (link === NONE) {
+      link = this.#links++
+      if (link === this.#cells.length) this.#grow()
+    } else this.#unused = this.#next[link]
+    this.#cells[link] = cell
+    return link
+  }
+
+  #grow(): void {
+    this.#cells = doubled(this.#cells)
+    this.#next = doubled(this.#next)
+  }
+}
+
+function doubled(array: Int32Array<ArrayBuffer>): Int32Array<ArrayBuffer> {
+  const more = new Int32Array(2 * array.length)
+  more.set(array)
+  return more
+}

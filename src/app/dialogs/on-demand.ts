@@ -1,0 +1,40 @@
+import type { State } from '../state'
+import type { Store } from '../store'
+import { tell } from '../transitions'
+
+const MISSING =
+  'This part of the page could not be loaded. It is there again once its server can be reached.'
+
+/** What opens the dialogs; each is loaded when it is opened first. */
+export const dialogsOf = (store: Store<State>) => ({
+  new: onDemand(store, async () => (await import('./new-map')).newMapDialog(store)),
+  scenarios: onDemand(store, async () => (await import('./scenarios')).scenariosDialog(store)),
+  generate: onDemand(store, async () => (await import('./generate')).generateDialog(store)),
+  about: onDemand(store, async () => (await import('./about-planner')).aboutDialog(store)),
+  help: onDemand(store, async () => (await import('./help')).helpDialog()),
+})
+
+/**
+ * Opens a part of the page that is loaded when it is asked for first. That it cannot be had is told,
+ * and the next try loads it anew.
+ * @param load gives what opens the part
+ */
+function onDemand(store: Store<State>, load: () => Promise<() => void>): () => void {
+  let open: (() => void) | null = null
+  let isLoading = false
+
+  const loadAndOpen = async () => {
+    isLoading = true
+    try {
+      open = await load()
+    } catch {
+      store.update((state) => tell(state, 'error', MISSING))
+    }
+    isLoading = false
+    open?.()
+  }
+  return () => {
+    if (open) open()
+    else if (!isLoading) void loadAndOpen()
+  }
+}
