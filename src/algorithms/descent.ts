@@ -106,6 +106,7 @@ export function descend(task: Descent): Answer {
 }
 
 function recordFields(fields: Fields, cells: number, lines: PotentialLines, tape: Tape): void {
+  tape.reserve(3 * cells)
   const record = (phase: number, line: number, kind: EventKind, field: (cell: Cell) => number) => {
     tape.at(line).write(EVENT.phase, -1, phase)
     for (let cell = 0; cell < cells; cell++) tape.write(kind, cell, -1, field(cell))

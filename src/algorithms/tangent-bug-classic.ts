@@ -1,18 +1,11 @@
-import { DX, DY, stepped } from '../grid/directions'
+import { type Direction, DX, DY, stepped } from '../grid/directions'
 import { isSamePlace, type Point, placeName } from '../grid/grid'
 import { distance, farness, simplestStep } from '../grid/simplest-path'
 import type { DriveNotes } from '../rover/drive-notes'
 import type { Rover } from '../rover/rover'
 import { boxedIn, hitObstacle, isIn, type Turn } from './boundary'
 import type { DriveAnswer } from './planner'
-import {
-  freeSteps,
-  placesInReach,
-  sensedObstacle,
-  shorter,
-  type Way,
-  wayOver,
-} from './sensed-square'
+import { freeSteps, SensedSquare, shorter, type Visit, type Way, wayOver } from './sensed-square'
 import { D_FOLLOWED, D_REACH, line } from './tangent-bug-lines'
 
 /**
@@ -30,6 +23,7 @@ import { D_FOLLOWED, D_REACH, line } from './tangent-bug-lines'
  */
 export function driveClassic(rover: Rover, turn: Turn, notes: DriveNotes): DriveAnswer {
   const { goal } = rover
+  const square = new SensedSquare(rover)
   const isAtGoal = () => isSamePlace(rover.position, goal)
   const far = (place: Point) => farness(place, goal)
   const goTowards = (place: Point) => {
@@ -45,7 +39,7 @@ export function driveClassic(rover: Rover, turn: Turn, notes: DriveNotes): Drive
       bound = far(target)
       target = undefined
     }
-    const nodes = tangentGraph(rover)
+    const nodes = tangentGraph(rover, square)
     notes.at(line.nodes).nodes(nodes)
     const node = bestBelow(bound, nodes, goal)
     if (node && (!target || node.steps < wayOver(rover, target).steps)) {
@@ -66,9 +60,9 @@ export function driveClassic(rover: Rover, turn: Turn, notes: DriveNotes): Drive
     if (walk.isBoxedIn) return boxedIn('unreachable', hitPoint)
     let followed = stepped(rover.position, walk.obstacle)
     for (;;) {
-      const obstacle = sensedObstacle(rover, stepped(rover.position, walk.obstacle))
-      followed = nearest(followed, obstacle, far)
-      const reach = nearest(rover.position, placesInReach(rover), far)
+      const obstacle = stepped(rover.position, walk.obstacle)
+      followed = nearest(followed, far, (visit) => square.obstacle(obstacle, visit))
+      const reach = nearest(rover.position, far, (visit) => square.placesInReach(visit))
       notes.at(line.reach).value(D_REACH, distance(reach, goal))
       notes.at(line.followed).value(D_FOLLOWED, distance(followed, goal))
       if (far(reach) < far(followed)) {
@@ -91,16 +85,29 @@ export function driveClassic(rover: Rover, turn: Turn, notes: DriveNotes): Drive
   return { status: 'reached', reason: 'the rover is at the goal' }
 }
 
-function nearest(first: Point, others: Iterable<Point>, far: (place: Point) => number): Point {
+/** The place that is least far of a first one and all others; among equals the first. */
+function nearest(
+  first: Point,
+  far: (place: Point) => number,
+  visitOthers: (visit: Visit) => void,
+): Point {
   let best = first
-  for (const place of others) if (far(place) < far(best)) best = place
+  let least = far(first)
+  visitOthers((place) => {
+    const farness = far(place)
+    if (farness >= least) return
+    least = farness
+    best = { ...place }
+  })
   return best
 }
 
 /** The local tangent graph: the free way to the goal, and the ends of obstacles in reach. */
-function tangentGraph(rover: Rover): Way[] {
+function tangentGraph(rover: Rover, square: SensedSquare): Way[] {
   const places = freeWayToGoal(rover)
-  for (const place of placesInReach(rover)) if (isEnd(rover, place)) places.push(place)
+  square.placesInReach((place) => {
+    if (isEnd(rover, place)) places.push({ ...place })
+  })
   return places.map((place) => wayOver(rover, place))
 }
 
@@ -129,11 +136,9 @@ function isEnd(rover: Rover, place: Point): boolean {
   const obstacles = rover.obstaclesAround(place)
   if (obstacles === 0) return false
   if (distance(rover.position, place) === rover.range) return true
+  const isFree = (d: Direction) => rover.known(place.x + DX[d], place.y + DY[d]) === 'free'
   for (let d = 1; d < 8; d += 2) {
-    const beside = [d, d - 1, (d + 1) & 7].map((side) =>
-      rover.known(place.x + DX[side], place.y + DY[side]),
-    )
-    if (beside[0] === 'obstacle' && beside[1] === 'free' && beside[2] === 'free') return true
+    if (isIn(obstacles, d) && isFree(d - 1) && isFree((d + 1) & 7)) return true
   }
   return false
 }

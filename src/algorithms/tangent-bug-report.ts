@@ -5,12 +5,13 @@ import { DriveNotes } from '../rover/drive-notes'
 import type { Rover } from '../rover/rover'
 import { BoundaryWalk, boxedIn, isIn, obstacleInTheWay, type Turn } from './boundary'
 import type { DriveAnswer } from './planner'
-import { freeSteps, sensedObstacle, shorter, type Way, wayOver } from './sensed-square'
+import { freeSteps, SensedSquare, shorter, type Way, wayOver } from './sensed-square'
 import { D_FOLLOWED, D_REACH, line } from './tangent-bug-lines'
 
 /** The report's Algorithms 3 and 4. */
 export function driveAsInReport(rover: Rover, notes: DriveNotes): DriveAnswer {
   const { goal } = rover
+  const square = new SensedSquare(rover)
   const isAtGoal = () => isSamePlace(rover.position, goal)
   const go = (direction: number) => {
     rover.step(direction)
@@ -34,7 +35,7 @@ export function driveAsInReport(rover: Rover, notes: DriveNotes): DriveAnswer {
     }
     stepsWhenBlocked.set(here, rover.steps)
 
-    const ends = endsInReach(rover, blocking)
+    const ends = endsInReach(rover, square, blocking)
     const end = ends.reduce(shorter)
     notes.at(line.end).nodes(ends)
     notes.target(end.place, end.steps)
@@ -84,10 +85,11 @@ function obstacleWithinRange(rover: Rover): Point | undefined {
  * The ends of the sensed obstacle (points of discontinuity) that can be approached: cells with at
  * most one sensed obstacle cell on their four sides, or those with the fewest if there is none.
  */
-function endsInReach(rover: Rover, blocking: Point): Way[] {
-  const cells = sensedObstacle(rover, blocking).filter(
-    (cell) => freeSteps(rover, cell) >= distance(rover.position, cell) - 1,
-  )
+function endsInReach(rover: Rover, square: SensedSquare, blocking: Point): Way[] {
+  const cells: Point[] = []
+  square.obstacle(blocking, (cell) => {
+    if (freeSteps(rover, cell) >= distance(rover.position, cell) - 1) cells.push({ ...cell })
+  })
   const counts = cells.map((cell) => obstaclesOnSides(rover, cell))
   const limit = Math.max(1, Math.min(...counts))
   const ends = cells.filter((_, i) => counts[i] <= limit)

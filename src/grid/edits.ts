@@ -35,16 +35,26 @@ function notedCells(before: Uint8Array, walls: Uint8Array): readonly Cell[] | nu
   return here === before ? cells : null
 }
 
-/** Four cells at a time, of millions. */
-function differences(a: Uint8Array, b: Uint8Array): readonly Cell[] {
+/**
+ * The cells in which two maps of the same size differ, found by comparing them. It stops once there
+ * are more than `most`.
+ */
+export function differences(
+  a: Uint8Array,
+  b: Uint8Array,
+  most = Number.POSITIVE_INFINITY,
+): readonly Cell[] {
   const cells: Cell[] = []
+  // Four cells at a time, of millions.
   const [as, bs] = [wordsOf(a), wordsOf(b)]
   const words = Math.min(as.length, bs.length)
-  for (let i = 0; i < words; i++) {
+  for (let i = 0; i < words && cells.length <= most; i++) {
     if (as[i] === bs[i]) continue
     for (let cell = 4 * i; cell < 4 * i + 4; cell++) if (a[cell] !== b[cell]) cells.push(cell)
   }
-  for (let cell = 4 * words; cell < a.length; cell++) if (a[cell] !== b[cell]) cells.push(cell)
+  for (let cell = 4 * words; cell < a.length && cells.length <= most; cell++) {
+    if (a[cell] !== b[cell]) cells.push(cell)
+  }
   return cells
 }
 

@@ -1,4 +1,5 @@
 import { stepOffsets } from './directions'
+import { differences } from './edits'
 import type { Cell, Grid } from './grid'
 import { type DiagonalRule, type Directions, legalSteps, obstaclesAround } from './steps'
 
@@ -18,36 +19,23 @@ let known: Known | null = null
  * before in a few cells only, as after a stroke, no more than their neighbourhoods are looked at.
  */
 export function allLegalSteps(grid: Grid, rule: DiagonalRule): Uint8Array {
-  const { width, walls } = grid
-  if (known?.rule !== rule || known.width !== width || known.walls.length !== walls.length) {
-    known = null
-  }
+  const before = known
+  if (before === null || !isOfSameKind(before, grid, rule))
+    return learn(grid, rule, built(grid, rule))
   // Compared by content: nobody keeps a program from writing into its own map between two questions.
-  const edits = known && differences(known.walls, walls)
-  if (known && edits?.length === 0) return known.steps
-  const steps = known && edits ? patched(known.steps, edits, grid, rule) : built(grid, rule)
+  const most = grid.walls.length >> 6
+  const edits = differences(before.walls, grid.walls, most)
+  if (edits.length === 0) return before.steps
+  const isOther = edits.length > most
+  return learn(grid, rule, isOther ? built(grid, rule) : patched(before.steps, edits, grid, rule))
+}
+
+const isOfSameKind = (before: Known, { width, walls }: Grid, rule: DiagonalRule): boolean =>
+  before.rule === rule && before.width === width && before.walls.length === walls.length
+
+function learn({ width, walls }: Grid, rule: DiagonalRule, steps: Uint8Array): Uint8Array {
   known = { rule, width, walls: walls.slice(), steps }
   return steps
-}
-
-/** The cells in which two maps of one size differ; `null` if they are many. */
-function differences(before: Uint8Array, now: Uint8Array): readonly Cell[] | null {
-  const most = before.length >> 6
-  const cells: Cell[] = []
-  const [four, others] = [fourByFour(before), fourByFour(now)]
-  const same = Math.min(four.length, others.length)
-  for (let i = 0; i <= same; i++) {
-    if (i < same && four[i] === others[i]) continue
-    const end = i < same ? 4 * i + 4 : before.length
-    for (let cell = 4 * i; cell < end; cell++) if (before[cell] !== now[cell]) cells.push(cell)
-    if (cells.length > most) return null
-  }
-  return cells
-}
-
-/** Four cells in one number, as far as that goes: comparing is then four times as fast. */
-function fourByFour({ buffer, byteOffset, length }: Uint8Array): Int32Array {
-  return byteOffset % 4 === 0 ? new Int32Array(buffer, byteOffset, length >> 2) : new Int32Array(0)
 }
 
 function patched(

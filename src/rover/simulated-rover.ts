@@ -33,6 +33,8 @@ export class SimulatedRover implements Rover {
   readonly #offsets: Int32Array
   readonly #trail: Cell[]
   #position: Point
+  /** The middle of a square that is known in full. */
+  #sensedFrom: Point | undefined
 
   constructor(problem: Problem, sensor: SensorSettings, tape?: Tape) {
     const { grid, start, goal, diagonal } = problem
@@ -68,10 +70,18 @@ export class SimulatedRover implements Rover {
   }
 
   sense(): void {
+    const { range } = this
     const { x, y } = this.#position
-    for (let dy = -this.range; dy <= this.range; dy++) {
-      for (let dx = -this.range; dx <= this.range; dx++) this.#senseCell(x + dx, y + dy)
+    const before = this.#sensedFrom
+    for (let row = y - range; row <= y + range; row++) {
+      const wasSensed = before !== undefined && Math.abs(row - before.y) <= range
+      for (let column = x - range; column <= x + range; column++) {
+        // Over the part of the row that lies in the square before.
+        if (wasSensed && Math.abs(column - before.x) <= range) column = before.x + range
+        else this.#senseCell(column, row)
+      }
     }
+    if (!this.#lineOfSight) this.#sensedFrom = this.#position
   }
 
   known(x: number, y: number): Knowledge {

@@ -20,6 +20,7 @@ const answers: Record<string, { status: string; cells?: number }> = {
   'fig14-bug2': reached(fig14.bug2.path.length),
   'fig14-tangent-bug': { status: 'reached' },
   banner: { status: 'reached' },
+  'banner-a-star': { status: 'reached' },
 }
 
 test('each scenario has an expectation and an id of its own', () => {
@@ -50,4 +51,14 @@ test('what is said of lengths is true', () => {
   expect(cells('fig11-bug2')).toBeLessThan(cells('fig11-bug1') / 2)
   expect(cells('fig13')).toBeLessThan(cells('fig11-bug2'))
   expect(cells('fig14-tangent-bug')).toBeGreaterThan(cells('fig14-bug2'))
+})
+
+test('what is said of A* is true', () => {
+  const scenario = scenarios.find(({ id }) => id === 'banner-a-star')
+  if (!scenario) throw new Error('no scenario of A*')
+  const { problem, planner, see } = scenario
+  const by = (search: string) => plan(problem, planner, { params: { search } })
+  expect(see).toContain(`closes ${by('a-star').expanded} cells`)
+  expect(see).toContain(`closes ${by('dijkstra').expanded} for`)
+  expect(by('a-star').cost).toBe(by('dijkstra').cost)
 })

@@ -2,7 +2,7 @@ import fc from 'fast-check'
 import { expect, test } from 'vitest'
 import { DX, DY } from '../../src/grid/directions'
 import { allLegalSteps } from '../../src/grid/legal-steps'
-import { legalSteps, obstaclesAround } from '../../src/grid/steps'
+import { type DiagonalRule, legalSteps, obstaclesAround } from '../../src/grid/steps'
 import { gridToRows } from '../../src/grid/text-map'
 import { grids, RULES, rules } from './arbitraries'
 
@@ -51,6 +51,26 @@ test('all legal steps of a map are those of each free cell, and none from an obs
         wall ? 0 : legalSteps(rule, obstaclesAround(grid, cell)),
       )
       expect(Array.from(allLegalSteps(grid, rule))).toEqual(one)
+    }),
+  )
+})
+
+test('all legal steps are those of the map as it is now, whichever was asked about before', () => {
+  const grid = { width: 40, height: 30, walls: new Uint8Array(1200) }
+  const one = (rule: DiagonalRule) =>
+    Array.from(grid.walls, (wall, cell) =>
+      wall ? 0 : legalSteps(rule, obstaclesAround(grid, cell)),
+    )
+  const cells = fc.integer({ min: 0, max: 1199 })
+  // Few cells and many, at the border too, written into the map that was asked about.
+  const edits = fc.array(cells, { maxLength: 60 })
+  fc.assert(
+    fc.property(edits, rules, (list, rule) => {
+      const before = allLegalSteps(grid, rule)
+      const copy = before.slice()
+      for (const cell of list) grid.walls[cell] ^= 1
+      expect(Array.from(allLegalSteps(grid, rule))).toEqual(one(rule))
+      expect(before).toEqual(copy)
     }),
   )
 })

@@ -37,14 +37,18 @@ export class Sight {
    * such a way are simplest paths too, and together they weigh the same.
    */
   nearest(from: Cell): number {
-    const most = WALKED_BEFORE_TABLE * this.#rays.marks.length
-    if (this.#walker.walked <= most) return this.#walker.nearest(from)
-    return this.#clearTable().nearest(from)
+    return this.isWalking ? this.#walker.nearest(from) : this.#clearTable().nearest(from)
+  }
+
+  /** Whether the rays are still walked, and not looked up. */
+  get isWalking(): boolean {
+    return this.#walker.walked <= WALKED_BEFORE_TABLE * this.#rays.marks.length
   }
 
   /** Calls `seen` for each vertex to which the way is free, maybe twice: once for each way round. */
   all(from: Cell, seen: Seen): void {
-    this.#clearTable().all(from, seen)
+    if (this.isWalking) this.#walker.all(from, seen)
+    else this.#clearTable().all(from, seen)
   }
 
   #clearTable(): ClearTable {

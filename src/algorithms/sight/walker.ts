@@ -1,5 +1,5 @@
 import type { Cell } from '../../grid/grid'
-import { type Edges, outwardAfter, type Rays, VERTEX } from './rays'
+import { type Edges, outwardAfter, type Rays, type Seen, VERTEX } from './rays'
 
 /** Finds what can be seen from a vertex by walking the rays, step by step. */
 export class Walker {
@@ -57,5 +57,24 @@ export class Walker {
     }
     this.walked += walked
     return count
+  }
+
+  /** See `Sight`. */
+  all(from: Cell, seen: Seen): void {
+    const { marks, offsets } = this.#rays
+    for (let d = 0; d < 8; d++) {
+      for (let bend = from; (marks[bend] >> d) & 1; ) {
+        bend += offsets[d]
+        if (marks[bend] & VERTEX) seen(bend, 1)
+        for (let turn = 7; turn <= 9; turn += 2) {
+          const onward = (d + turn) & 7
+          for (let cell = bend; (marks[cell] >> onward) & 1; ) {
+            cell += offsets[onward]
+            this.walked++
+            if (marks[cell] & VERTEX) seen(cell, outwardAfter(d))
+          }
+        }
+      }
+    }
   }
 }
