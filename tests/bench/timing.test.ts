@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
-import { exponentOf } from '../../bench/growth'
-import { figuresOf, isMet, timeAlone, timeInTurn } from '../../bench/timing'
+import { exponentOf } from '../../bench/planners/growth'
+import { figuresOf, isMet, timeAlone, timeInTurn } from '../../bench/planners/timing'
 
 /** A clock that only work moves on. */
 let now = 0

@@ -1,4 +1,4 @@
-import { quantilesOf } from '../src/experiments/summary/statistics'
+import { quantilesOf } from '../../src/experiments/summary/statistics'
 import type { Target, Work } from './case'
 
 /** Times of a unit of work in ms, taken in turn: ours[i] right before peer[i]. */
