@@ -7,61 +7,43 @@ export interface Samples {
   readonly peer: readonly number[]
 }
 
-const WARM_UP_MS = 100
-/** What is shorter is repeated within a sample, so that neither the clock nor one hiccup counts. */
-const SAMPLE_MS = 20
-/** What takes longer hardly notices that it has to be compiled again. */
-const SHORT_MS = 100
+const WARM_UP_MS = 60
+/** What is shorter is repeated within a sample, so that the clock's steps do not count. */
+const SAMPLE_MS = 10
+/** What takes longer leaves much garbage behind, and hardly notices that it is compiled again. */
+const LONG_MS = 100
 const LEAST_ROUNDS = 5
 const MOST_ROUNDS = 15
-const ENOUGH_MS = 1500
+const ENOUGH_MS = 600
 const ALONE_MS = 200
 
 /** Times both in turn until there are enough samples. */
 export function timeInTurn(ours: Work, peer: Work): Samples {
-  const sampleOurs = sampler(ours)
-  const samplePeer = sampler(peer)
+  globalThis.gc?.()
+  const once = { ours: warmUp(ours), peer: warmUp(peer) }
+  const sweeping = Math.max(once.ours, once.peer) > LONG_MS
   const samples: { ours: number[]; peer: number[] } = { ours: [], peer: [] }
   const end = performance.now() + ENOUGH_MS
   for (let round = 0; round < MOST_ROUNDS; round++) {
     if (round >= LEAST_ROUNDS && performance.now() > end) break
-    samples.ours.push(sampleOurs())
-    samples.peer.push(samplePeer())
+    samples.ours.push(sample(ours, once.ours, sweeping))
+    samples.peer.push(sample(peer, once.peer, sweeping))
   }
   return samples
 }
 
 /** The median time of a unit of work, by itself; what takes long is timed once. */
 export function timeAlone(work: Work): number {
-  const sample = sampler(work)
+  globalThis.gc?.()
+  const once = warmUp(work)
   const samples: number[] = []
   const end = performance.now() + ALONE_MS
-  do samples.push(sample())
+  do samples.push(sample(work, once, once > LONG_MS))
   while (performance.now() < end)
   return quantilesOf(samples).median
 }
 
-/**
- * Warms the work up; returns what takes a sample of it. Each begins with a swept heap, if Node lets
- * us, so that nobody pays for another's garbage. But the sweep takes compiled code along, so short
- * work is warmed up again.
- */
-function sampler(work: Work): () => number {
-  const once = warmUp(work)
-  const repeats = Math.max(1, Math.ceil(SAMPLE_MS / once))
-  return () => {
-    globalThis.gc?.()
-    if (once < SHORT_MS) {
-      repeat(work, repeats)
-      globalThis.gc?.({ type: 'minor' })
-    }
-    const begin = performance.now()
-    const units = repeat(work, repeats)
-    return (performance.now() - begin) / units
-  }
-}
-
-/** Returns the shortest time that the work took, in ms. */
+/** Does the work for a while; returns the shortest time that it took once, in ms. */
 function warmUp(work: Work): number {
   const begin = performance.now()
   let now = begin
@@ -73,6 +55,23 @@ function warmUp(work: Work): number {
     least = Math.min(least, now - last)
   } while (now - begin < WARM_UP_MS)
   return least
+}
+
+/**
+ * The time of a unit of work that takes `once` ms. Nobody shall pay for the garbage of another: the
+ * young is cleared away, and all of it when `sweeping`, if Node lets us. As that throws compiled
+ * code away, too, short work is then warmed up again.
+ */
+function sample(work: Work, once: number, sweeping: boolean): number {
+  const times = Math.max(1, Math.ceil(SAMPLE_MS / once))
+  if (sweeping) {
+    globalThis.gc?.()
+    if (once <= LONG_MS) repeat(work, times)
+  }
+  globalThis.gc?.({ type: 'minor' })
+  const begin = performance.now()
+  const units = repeat(work, times)
+  return (performance.now() - begin) / units
 }
 
 function repeat(work: Work, times: number): number {

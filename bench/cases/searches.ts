@@ -2,7 +2,7 @@ import type { Case } from '../case'
 import type { BenchMap } from '../maps'
 import { ask, searchesOf } from '../ours'
 import { easystar } from '../peers/easystar'
-import { ngraphAStar, ngraphAStarBuilt, ngraphNba } from '../peers/ngraph'
+import { ngraphAStar, ngraphAStarBuilt } from '../peers/ngraph'
 import { pathfindingAStar, pathfindingDijkstra, pathfindingJumpPoint } from '../peers/pathfinding'
 import type { Find, Peer } from '../peers/peer'
 
@@ -19,7 +19,7 @@ export interface SearchTargets {
 /** Grid decomposition by each search, against the peers that do the same: all queries of a map. */
 export function searchCases(map: BenchMap, targets: SearchTargets): Case[] {
   const isSmall = map.grid.walls.length <= MOST_CELLS
-  const others = isSmall ? [ngraphAStarBuilt, ngraphAStar, ngraphNba, easystar] : []
+  const others = isSmall ? [ngraphAStarBuilt, ngraphAStar, easystar] : []
   const duels: readonly (readonly [string, Peer, (number | undefined)?])[] = [
     ['dijkstra', pathfindingDijkstra, targets.dijkstra],
     ['a-star', pathfindingAStar, targets['a-star']],

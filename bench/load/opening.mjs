@@ -23,7 +23,7 @@ function watch(tell) {
 
   const isReady = () => {
     const map = document.getElementById('map')
-    if (map) return map.dataset.status === 'reached'
+    if (map) return map.dataset.status === 'reached' && map.dataset.painted !== 'false'
     return document.documentElement.hasAttribute('theme')
   }
   const observer = new MutationObserver(() => {

@@ -1,6 +1,6 @@
 import { plan } from '../algorithms/plan'
 import { foldWhole } from '../trace/checkpoints'
-import type { Frame } from '../trace/frame'
+import { type Frame, packed } from '../trace/frame'
 import { Tape } from '../trace/tape'
 import { scoreOf } from './score'
 import type { WorkerAnswer, WorkerQuestion } from './worker-protocol'
@@ -29,7 +29,9 @@ function answer({ id, problem, plannerId, params, seed }: WorkerQuestion): void 
   const outcome = plan(problem, plannerId, { params, seed, tape, progress })
   const milliseconds = performance.now() - began
   const { columns, buffers } = tape.release()
-  const { last, checkpoints } = foldWhole(columns)
+  const folded = foldWhole(columns)
+  const last = packed(folded.last)
+  const checkpoints = folded.checkpoints.map(packed)
   const score = scoreOf(columns)
   send({ kind: 'planned', id, outcome, tape: columns, last, checkpoints, score, milliseconds }, [
     ...buffers,
@@ -39,9 +41,11 @@ function answer({ id, problem, plannerId, params, seed }: WorkerQuestion): void 
   ])
 }
 
-function frameBuffers({ cells, fields }: Frame): ArrayBufferLike[] {
-  const written = Object.values(fields).filter((field) => field !== null)
-  return [cells, ...written].map((array) => array.buffer)
+/** All arrays in a frame: those of its cells, its fields and its lists. */
+function frameBuffers({ fields, ...frame }: Frame): ArrayBufferLike[] {
+  return [...Object.values(frame), ...Object.values(fields)]
+    .filter((value) => ArrayBuffer.isView(value))
+    .map(({ buffer }) => buffer)
 }
 
 function send(message: WorkerAnswer, buffers: ArrayBufferLike[] = []): void {

@@ -1,14 +1,9 @@
+import { type AskedWorker, dismiss, listen } from './asked-worker'
 import type { Setup } from './setup'
 import type { WorkerAnswer, WorkerQuestion } from './worker-protocol'
 import { questionOf } from './worker-protocol'
 
-/** What the solver needs of a `Worker`. */
-export interface WorkerLike {
-  onmessage: ((event: { readonly data: WorkerAnswer }) => void) | null
-  onerror: ((event: { readonly message?: string; preventDefault?(): void }) => void) | null
-  postMessage(question: WorkerQuestion): void
-  terminate(): void
-}
+export type PlanningWorker = AskedWorker<WorkerQuestion, WorkerAnswer>
 
 export interface PlanRequest {
   readonly setup: Setup
@@ -34,17 +29,17 @@ const MOST_PATIENCE_MS = 16 * PATIENCE_MS
  * screen, and so the path follows the pointer; when patience is at an end its worker is replaced.
  */
 export class Solver {
-  readonly #makeWorker: () => WorkerLike
+  readonly #makeWorker: () => PlanningWorker
   readonly #now: () => number
   readonly #events: SolverEvents
-  #worker: WorkerLike | null
+  #worker: PlanningWorker | null
   #running: { readonly id: number; readonly request: PlanRequest; readonly since: number } | null =
     null
   #waiting: PlanRequest | null = null
   #questions = 0
   #patience = PATIENCE_MS
 
-  constructor(makeWorker: () => WorkerLike, now: () => number, events: SolverEvents) {
+  constructor(makeWorker: () => PlanningWorker, now: () => number, events: SolverEvents) {
     this.#makeWorker = makeWorker
     this.#now = now
     this.#events = events
@@ -88,22 +83,18 @@ export class Solver {
     this.#waiting = null
   }
 
-  #newWorker(): WorkerLike {
+  #newWorker(): PlanningWorker {
     const worker = this.#makeWorker()
-    worker.onmessage = ({ data }) => this.#answered(data)
-    worker.onerror = (event) => {
-      event.preventDefault?.()
-      this.#broke(event.message || 'the planning worker could not be started')
-    }
+    listen(
+      worker,
+      (answer) => this.#answered(answer),
+      (why) => this.#broke(why || 'the planning worker could not be started'),
+    )
     return worker
   }
 
   #dropWorker(): void {
-    if (this.#worker) {
-      this.#worker.onmessage = null
-      this.#worker.onerror = null
-      this.#worker.terminate()
-    }
+    if (this.#worker) dismiss(this.#worker)
     this.#worker = null
     this.#running = null
   }

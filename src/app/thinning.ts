@@ -11,7 +11,7 @@ const LEFT_OUT: Record<Thinning, LeftOut> = {
   thinned: {
     briefly: ', small things left out',
     words:
-      'This plan is too long to keep all that happens in it. Small things are left out, such as that a cell is opened or sensed. The answer is not changed by that.',
+      'This plan is too long to keep all that happens in it. Small things are left out, such as cells that are opened or sensed, or the parts of a potential. The answer is not changed by that.',
   },
   cut: {
     briefly: ', not to the end',

@@ -1,14 +1,8 @@
 import type { Grid } from '../grid/grid'
 import type { Box } from './box'
 import { edgeX, edgeY, isBoxVisible, type Placement } from './placement'
+import { TileCanvas } from './tile-canvas'
 import { type Tiling, tileAt, tilingOf } from './tiling'
-
-/** The context of a canvas. @throws Error if the browser draws no canvas. */
-export function contextOf(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
-  const context = canvas.getContext('2d')
-  if (!context) throw new Error('This browser cannot draw on a canvas.')
-  return context
-}
 
 /**
  * The cell image on canvases off the screen, from where it is drawn at any size: one for each tile,
@@ -16,7 +10,7 @@ export function contextOf(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
  */
 export class CellCanvas {
   #tiling: Tiling = { columns: 0, boxes: [] }
-  #tiles: readonly CanvasRenderingContext2D[] = []
+  #tiles: readonly TileCanvas[] = []
   #image: ImageData | null = null
 
   /** Takes over the pixels in the boxes, from `pixels` with one pixel for each cell of the grid. */
@@ -25,13 +19,12 @@ export class CellCanvas {
     if (this.#image?.data.buffer !== pixels.buffer || this.#image.width !== width) {
       this.#image = new ImageData(new Uint8ClampedArray(pixels.buffer), width, height)
       this.#tiling = tilingOf(grid)
-      this.#tiles = this.#tiling.boxes.map(tileContext)
+      this.#tiles = this.#tiling.boxes.map((box) => new TileCanvas(box))
     }
-    for (const { left, top, right, bottom } of boxes) {
-      const tile = tileAt(this.#tiling, left, top)
-      const { left: x, top: y } = this.#tiling.boxes[tile]
-      const context = this.#tiles[tile]
-      context.putImageData(this.#image, -x, -y, left, top, right - left, bottom - top)
+    for (const box of boxes) {
+      const tile = tileAt(this.#tiling, box.left, box.top)
+      const { left, top } = this.#tiling.boxes[tile]
+      this.#tiles[tile].take(this.#image, left, top, box)
     }
   }
 
@@ -39,27 +32,30 @@ export class CellCanvas {
   draw(context: CanvasRenderingContext2D, place: Placement, part = place): void {
     // Cells smaller than a pixel are averaged: else thin obstacles come and go with the zoom.
     context.imageSmoothingEnabled = place.cell < 1
-    context.imageSmoothingQuality = 'medium'
+    context.imageSmoothingQuality = place.cell < 0.25 ? 'medium' : 'low'
     this.#tiling.boxes.forEach((box, tile) => {
       if (!isBoxVisible(part, box)) return
+      const image = this.#tiles[tile].imageFor(place.cell)
       const fromX = Math.max(box.left, place.fromX)
       const fromY = Math.max(box.top, place.fromY)
-      const columns = Math.min(box.right, place.toX) - fromX
-      const rows = Math.min(box.bottom, place.toY) - fromY
+      const toX = Math.min(box.right, place.toX)
+      const toY = Math.min(box.bottom, place.toY)
       const left = edgeX(place, fromX)
       const top = edgeY(place, fromY)
-      const width = edgeX(place, fromX + columns) - left
-      const height = edgeY(place, fromY + rows) - top
-      const { canvas } = this.#tiles[tile]
-      const [x, y] = [fromX - box.left, fromY - box.top]
-      context.drawImage(canvas, x, y, columns, rows, left, top, width, height)
+      // Pixels of the image in a cell, on each side.
+      const across = image.width / (box.right - box.left)
+      const down = image.height / (box.bottom - box.top)
+      context.drawImage(
+        image,
+        (fromX - box.left) * across,
+        (fromY - box.top) * down,
+        (toX - fromX) * across,
+        (toY - fromY) * down,
+        left,
+        top,
+        edgeX(place, toX) - left,
+        edgeY(place, toY) - top,
+      )
     })
   }
-}
-
-function tileContext({ left, top, right, bottom }: Box): CanvasRenderingContext2D {
-  const canvas = document.createElement('canvas')
-  canvas.width = right - left
-  canvas.height = bottom - top
-  return contextOf(canvas)
 }

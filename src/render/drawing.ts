@@ -1,6 +1,6 @@
 import type { Cell } from '../grid/grid'
 import { EVENT } from '../trace/events'
-import { type Frame, KNOWN, knownOf } from '../trace/frame'
+import { type CellList, type Frame, KNOWN, knownOf } from '../trace/frame'
 import type { FieldRange } from './heat'
 import { knownGrid } from './known-obstacles'
 import { drawHits, drawLeaves } from './layers/boundary-points'
@@ -69,7 +69,7 @@ export function drawPlan(pen: Pen, place: Placement, theme: Theme, frame: Frame)
 }
 
 /** The ends of the edge that was written last of all; none as soon as something else happens. */
-export function latestEdge(scene: Scene): readonly Cell[] {
+export function latestEdge(scene: Scene): CellList {
   const plan = planOnMap(scene)
   const isEdge = plan?.tape.kinds[plan.frame.time - 1] === EVENT.edge
   return isEdge ? plan.frame.edges.slice(-2) : []

@@ -1,5 +1,6 @@
 import { directionOf, stepOffsets } from '../grid/directions'
 import type { Cell } from '../grid/grid'
+import type { Cells } from '../trace/frame'
 
 /** East to south-west: a line in any of the other directions is one of these from its other end. */
 const ONWARD = [2, 3, 4, 5] as const
@@ -10,7 +11,7 @@ const ONWARD = [2, 3, 4, 5] as const
  * cells' centres, and thousands of edges share few of these.
  * @param edges pairs of cells, one after the other
  */
-export function edgeLines(columns: number, rows: number, edges: readonly Cell[]): Cell[] {
+export function edgeLines(columns: number, rows: number, edges: Cells): Cell[] {
   if (edges.length === 0) return []
   // For each direction and cell: how many edges begin there, less those that end.
   const changes = ONWARD.map(() => new Int32Array(columns * rows))

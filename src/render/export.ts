@@ -1,4 +1,4 @@
-import { CellCanvas, contextOf } from './cell-canvas'
+import { CellCanvas } from './cell-canvas'
 import { CellImage } from './cell-image'
 import { drawGround, drawMarks, drawPlan } from './drawing'
 import { edgeLines } from './edge-lines'
@@ -11,6 +11,7 @@ import { type Placement, placeMap } from './placement'
 import { planOnMap, type Scene } from './scene'
 import { svgCells } from './svg-cells'
 import { SvgPen, svgPaint } from './svg-pen'
+import { contextOf } from './tile-canvas'
 
 /** Side of a cell in pixels, unless the map is too large for that or another size is asked for. */
 const PNG_CELL = 48

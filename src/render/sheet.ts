@@ -1,5 +1,5 @@
-import { contextOf } from './cell-canvas'
 import { edgeX, edgeY, type Placement } from './placement'
+import { contextOf } from './tile-canvas'
 
 /** One of the canvases on top of each other. It remembers what it was drawn from. */
 export class Sheet {

@@ -1,6 +1,6 @@
 import type { Cell } from '../grid/grid'
 import { EVENT, type EventKind } from './events'
-import { type Frame, isFelt, KNOWN, knownOf, SEARCH, searchOf } from './frame'
+import { type CellList, type Frame, isFelt, KNOWN, knownOf, SEARCH, searchOf } from './frame'
 import type { TapeColumns } from './tape'
 
 /** What the planner knows of one cell at one moment. `null` and empty lists: nothing so far. */
@@ -40,7 +40,7 @@ export function cellFacts(tape: TapeColumns, frame: Frame, cell: Cell): CellFact
   const { attraction, repulsion, potential } = frame.fields
   const { rows, vertices, trail, mLine, path, hits, leaves, nodes } = frame
   const row = Math.floor(cell / tape.width)
-  const numbers = (list: readonly Cell[], kind: EventKind) =>
+  const numbers = (list: CellList, kind: EventKind) =>
     list.includes(cell) ? eventsAt(tape, frame.time, cell, kind).map((i) => tape.values[i]) : []
   const [node] = nodes.includes(cell) ? numbers(nodes, EVENT.node).slice(-1) : []
   return {
@@ -61,7 +61,7 @@ export function cellFacts(tape: TapeColumns, frame: Frame, cell: Cell): CellFact
   }
 }
 
-function placesOf(list: readonly Cell[], cell: Cell): number[] {
+function placesOf(list: CellList, cell: Cell): number[] {
   const places: number[] = []
   for (let i = list.indexOf(cell); i >= 0; i = list.indexOf(cell, i + 1)) places.push(i)
   return places

@@ -9,7 +9,7 @@ const BEFORE_END = 1 << 16
 /** Bytes of all checkpoints together; on a tape of large frames there are fewer of them. */
 const MOST_BYTES = 48 * 2 ** 20
 /** Of an entry in a list of cells. */
-const ENTRY_BYTES = 8
+const ENTRY_BYTES = 4
 
 /** A tape folded once from its beginning to its end. */
 export interface Folded {

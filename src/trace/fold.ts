@@ -1,6 +1,7 @@
 import type { Cell } from '../grid/grid'
 import { EVENT } from './events'
 import {
+  type CellList,
   FELT_BIT,
   type Field,
   type Frame,
@@ -45,10 +46,11 @@ function fold(frame: Frame, tape: TapeColumns, i: number): void {
       frame.test = { cell, obstacle: other, passed: value === 1 }
       break
     case EVENT.vertex:
-      frame.vertices.push(cell)
+      push(frame.vertices, cell)
       break
     case EVENT.edge:
-      frame.edges.push(cell, other)
+      push(frame.edges, cell)
+      push(frame.edges, other)
       frame.refusal = null
       break
     case EVENT.refuse:
@@ -63,7 +65,7 @@ function fold(frame: Frame, tape: TapeColumns, i: number): void {
       frame.cost = value
       break
     case EVENT.path:
-      frame.path.push(cell)
+      push(frame.path, cell)
       break
     case EVENT.attraction:
       fieldOf(frame, 'attraction')[cell] = value
@@ -75,7 +77,7 @@ function fold(frame: Frame, tape: TapeColumns, i: number): void {
       fieldOf(frame, 'potential')[cell] = value
       break
     case EVENT.step:
-      frame.trail.push(cell)
+      push(frame.trail, cell)
       frame.rover = cell
       break
     case EVENT.sense:
@@ -87,13 +89,13 @@ function fold(frame: Frame, tape: TapeColumns, i: number): void {
       frame.atSide = -1
       break
     case EVENT.mLine:
-      frame.mLine.push(cell)
+      push(frame.mLine, cell)
       break
     case EVENT.hit:
-      frame.hits.push(cell)
+      push(frame.hits, cell)
       frame.following = true
       frame.target = -1
-      frame.nodes.length = 0
+      clear(frame.nodes)
       break
     case EVENT.turn:
       frame.turn = other
@@ -103,21 +105,30 @@ function fold(frame: Frame, tape: TapeColumns, i: number): void {
       if (cell >= 0) frame.cells[cell] |= FELT_BIT
       break
     case EVENT.leave:
-      frame.leaves.push(cell)
+      push(frame.leaves, cell)
       frame.following = false
       frame.target = -1
-      frame.nodes.length = 0
+      clear(frame.nodes)
       break
     case EVENT.scan:
-      frame.nodes.length = 0
+      clear(frame.nodes)
       break
     case EVENT.node:
-      frame.nodes.push(cell)
+      push(frame.nodes, cell)
       break
     case EVENT.value:
       frame.values[other] = value
       break
   }
+}
+
+function push(list: CellList, cell: Cell): void {
+  if (!Array.isArray(list)) throw new Error('A packed frame gets no more events.')
+  list.push(cell)
+}
+
+function clear(list: CellList): void {
+  if (Array.isArray(list)) list.length = 0
 }
 
 /** A cell is open or closed; on a thinned tape it may be closed without ever having been opened. */

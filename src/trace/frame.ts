@@ -21,6 +21,12 @@ export interface Refusal {
   readonly at: Cell
 }
 
+/** Cells in their order. Those of a frame that came from a worker are packed, and get no more. */
+export type CellList = Cell[] | Int32Array
+
+/** Cells in their order, to be read only. */
+export type Cells = ArrayLike<Cell> & Iterable<Cell>
+
 /** What the rover knows of a cell. */
 export const KNOWN = { unknown: 0, free: 1, obstacle: 2 } as const
 
@@ -65,17 +71,17 @@ export interface Frame {
   /** The latest test for a corner, and the latest pair of vertices that got no edge. */
   test: Test | null
   refusal: Refusal | null
-  readonly vertices: Cell[]
+  readonly vertices: CellList
   /** Pairs of cells, one after the other. */
-  readonly edges: Cell[]
-  readonly mLine: Cell[]
-  readonly hits: Cell[]
-  readonly leaves: Cell[]
+  readonly edges: CellList
+  readonly mLine: CellList
+  readonly hits: CellList
+  readonly leaves: CellList
   /** Cells walked by the rover or the agent, and the path found by a search. */
-  readonly trail: Cell[]
-  readonly path: Cell[]
+  readonly trail: CellList
+  readonly path: CellList
   /** Nodes of the local tangent graph; it counts until an obstacle stops the rover or is left. */
-  readonly nodes: Cell[]
+  readonly nodes: CellList
   /** -1 while there is none; felt obstacle cells apart, `atSide` is the one at the rover's side now. */
   rover: Cell
   target: Cell
@@ -121,7 +127,7 @@ export function firstFrame({ width, height }: TapeColumns): Frame {
   }
 }
 
-/** A frame of its own that shows the same. */
+/** A frame of its own that shows the same, and to which events may be added. */
 export function copyOf(frame: Frame): Frame {
   const { attraction, repulsion, potential } = frame.fields
   const fields = {
@@ -133,14 +139,29 @@ export function copyOf(frame: Frame): Frame {
     ...frame,
     cells: frame.cells.slice(),
     fields,
-    vertices: frame.vertices.slice(),
-    edges: frame.edges.slice(),
-    mLine: frame.mLine.slice(),
-    hits: frame.hits.slice(),
-    leaves: frame.leaves.slice(),
-    trail: frame.trail.slice(),
-    path: frame.path.slice(),
-    nodes: frame.nodes.slice(),
+    vertices: Array.from(frame.vertices),
+    edges: Array.from(frame.edges),
+    mLine: Array.from(frame.mLine),
+    hits: Array.from(frame.hits),
+    leaves: Array.from(frame.leaves),
+    trail: Array.from(frame.trail),
+    path: Array.from(frame.path),
+    nodes: Array.from(frame.nodes),
     values: frame.values.slice(),
+  }
+}
+
+/** The same frame with its lists packed: millions of cells are handed over without a copy. */
+export function packed(frame: Frame): Frame {
+  return {
+    ...frame,
+    vertices: new Int32Array(frame.vertices),
+    edges: new Int32Array(frame.edges),
+    mLine: new Int32Array(frame.mLine),
+    hits: new Int32Array(frame.hits),
+    leaves: new Int32Array(frame.leaves),
+    trail: new Int32Array(frame.trail),
+    path: new Int32Array(frame.path),
+    nodes: new Int32Array(frame.nodes),
   }
 }

@@ -1,12 +1,12 @@
 import { beforeEach, describe, expect, it } from 'vitest'
 import { scoreOf } from '../../src/app/score'
-import { PATIENCE_MS, Solver, type WorkerLike } from '../../src/app/solver'
+import { PATIENCE_MS, type PlanningWorker, Solver } from '../../src/app/solver'
 import type { WorkerAnswer, WorkerQuestion } from '../../src/app/worker-protocol'
 import { planned, setupFrom } from './setups'
 
-class FakeWorker implements WorkerLike {
-  onmessage: WorkerLike['onmessage'] = null
-  onerror: WorkerLike['onerror'] = null
+class FakeWorker implements PlanningWorker {
+  onmessage: PlanningWorker['onmessage'] = null
+  onerror: PlanningWorker['onerror'] = null
   readonly questions: WorkerQuestion[] = []
   isTerminated = false
 

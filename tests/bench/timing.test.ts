@@ -25,18 +25,22 @@ test('work is timed in turn, ours first, by the units that it did', () => {
   expect(ours.length).toBe(peer.length)
   expect(ours.length).toBeGreaterThanOrEqual(5)
   expect(new Set([...ours, ...peer])).toEqual(new Set([30]))
-  // 100 ms of warming up each; then short work is warmed up again for each sample.
-  const warmUp = ['ours', 'ours', 'ours', 'ours', 'peer']
+  // 60 ms of warming up each. Beside long work, short work is warmed up again for each sample.
+  const warmUp = ['ours', 'ours', 'peer']
   const round = ['ours', 'ours', 'peer']
   expect(turns).toEqual([...warmUp, ...ours.flatMap(() => round)])
 })
 
 test('very short work is repeated within a sample, very long work is done five times', () => {
   turns.length = 0
-  const { ours } = timeInTurn(work('ours', 0.5, 1), work('peer', 5000, 1))
-  expect(ours).toEqual([0.5, 0.5, 0.5, 0.5, 0.5])
-  expect(turns.filter((name) => name === 'ours')).toHaveLength(200 + 5 * 2 * 40)
-  expect(turns.filter((name) => name === 'peer')).toHaveLength(1 + 5)
+  const short = timeInTurn(work('ours', 0.5, 1), work('peer', 2, 1))
+  expect(new Set(short.ours)).toEqual(new Set([0.5]))
+  expect(short.ours).toHaveLength(15)
+  const count = (name: string) => turns.filter((turn) => turn === name).length
+  expect([count('ours'), count('peer')]).toEqual([120 + 15 * 20, 30 + 15 * 5])
+  turns.length = 0
+  expect(timeInTurn(work('ours', 101, 1), work('peer', 5000, 1)).peer).toHaveLength(5)
+  expect([count('ours'), count('peer')]).toEqual([1 + 5, 1 + 5])
 })
 
 test('work by itself is timed by its units, too, and once if it is long', () => {

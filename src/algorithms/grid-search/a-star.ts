@@ -35,7 +35,7 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
   const estimate = simplestPathWeights(cost, grid.width)
   const memory = memoryFor(cells)
   const { states, weights } = memory
-  const jumps = new Jumps(legal, successors, offsets, diagonalWeight, goal, memory)
+  const jumps = jumping ? new Jumps(legal, successors, offsets, diagonalWeight, goal, memory) : null
   const { openCells } = memory
   let expanded = 0
   states[start] = OPEN | NO_DIRECTION
@@ -62,7 +62,7 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
       steps ^= 1 << direction
       let reached = cell + offsets[direction]
       let longer = weight + (direction & 1 ? diagonalWeight : 1)
-      if (jumping) {
+      if (jumps) {
         reached = jumps.from(cell, direction, weight)
         if (reached < 0) continue
         longer = jumps.weight

@@ -6,86 +6,89 @@ const ROOM = 1 << 10
 const NONE = -1
 
 /**
- * The open cells of A*, by the weight of the least path over them; among equals the latest comes
- * first. Few weights differ, so equal ones share a stack, and only stacks go through a heap.
+ * The open cells of A*, by the weight of the least path over them. Few weights differ, so cells of
+ * equal weight make a chain, and only the heads of chains go through a heap. Among equals it is the
+ * latest that come first: they are furthest on their way.
  *
- * What is asked for never falls: a cell may not be put in below `least`.
+ * What is taken out never weighs less than what was taken out before it, and what is put in neither.
  */
 export class OpenCells {
-  /** The weight by which the latest cell was taken. */
+  /** The weight of the cell that was taken out last. */
   least = 0
-  #stack = 0
-  #stacks = 0
-  readonly #heap = new FlatQueue<number>()
-  /** The stack that was last begun for a weight that falls into a slot. */
+  /** What is left of the chain of the least weight. */
+  #chain = NONE
+  readonly #heads = new FlatQueue<number>()
+  /** By slot the weight of the latest chain that fell into it, and that chain's head. */
   readonly #weights = new Float64Array(SLOTS)
-  readonly #stackOf = new Int32Array(SLOTS)
-  /** By stack the entry on its top; by entry its cell and the entry below. */
-  #tops = new Int32Array(ROOM)
+  readonly #headOf = new Int32Array(SLOTS)
+  /** By link of a chain its cell and the next link. */
   #cells = new Int32Array(ROOM)
-  #below = new Int32Array(ROOM)
-  #entries = 0
+  #next = new Int32Array(ROOM)
+  #links = 0
   #unused = NONE
 
   /** Only `first` is open, and it weighs so much. */
   begin(first: Cell, weight: number): void {
     this.least = weight
-    this.#stack = 0
-    this.#stacks = 1
-    this.#tops[0] = NONE
-    this.#heap.clear()
+    this.#chain = NONE
+    this.#heads.clear()
     this.#weights.fill(Number.NaN)
-    this.#entries = 0
+    this.#links = 0
     this.#unused = NONE
     this.push(first, weight)
   }
 
   push(cell: Cell, weight: number): void {
-    const stack = weight === this.least ? this.#stack : this.#stackFor(weight)
-    let entry = this.#unused
-    if (entry === NONE) {
-      entry = this.#entries++
-      if (entry === this.#cells.length) this.#grow()
-    } else this.#unused = this.#below[entry]
-    this.#cells[entry] = cell
-    this.#below[entry] = this.#tops[stack]
-    this.#tops[stack] = entry
+    const link = this.#newLink(cell)
+    if (weight === this.least) {
+      this.#next[link] = this.#chain
+      this.#chain = link
+      return
+    }
+    const whole = Math.floor(weight)
+    const slot = (whole * 1021 + (weight - whole) * 2 ** 23) & (SLOTS - 1)
+    if (this.#weights[slot] === weight) {
+      const head = this.#headOf[slot]
+      this.#next[link] = this.#next[head]
+      this.#next[head] = link
+      return
+    }
+    // Weights that share a slot may get a chain more than they need, and no harm is done.
+    this.#weights[slot] = weight
+    this.#headOf[slot] = link
+    this.#next[link] = NONE
+    this.#heads.push(link, weight)
   }
 
   /** Takes out the first of the cells; -1 if there is none. */
   pop(): Cell {
-    let top = this.#tops[this.#stack]
-    while (top === NONE) {
-      const least = this.#heap.peekValue()
-      const next = this.#heap.pop()
-      if (least === undefined || next === undefined) return -1
+    let link = this.#chain
+    if (link === NONE) {
+      const least = this.#heads.peekValue()
+      const head = this.#heads.pop()
+      if (least === undefined || head === undefined) return -1
       this.least = least
-      this.#stack = next
-      top = this.#tops[next]
+      link = head
     }
-    this.#tops[this.#stack] = this.#below[top]
-    this.#below[top] = this.#unused
-    this.#unused = top
-    return this.#cells[top]
+    this.#chain = this.#next[link]
+    this.#next[link] = this.#unused
+    this.#unused = link
+    return this.#cells[link]
   }
 
-  /** Weights that share a slot may get a stack more than they need, and no harm is done. */
-  #stackFor(weight: number): number {
-    const whole = Math.floor(weight)
-    const slot = (whole * 1021 + (weight - whole) * 2 ** 23) & (SLOTS - 1)
-    if (this.#weights[slot] === weight) return this.#stackOf[slot]
-    const stack = this.#stacks++
-    if (stack === this.#tops.length) this.#tops = doubled(this.#tops)
-    this.#tops[stack] = NONE
-    this.#weights[slot] = weight
-    this.#stackOf[slot] = stack
-    this.#heap.push(stack, weight)
-    return stack
+  #newLink(cell: Cell): number {
+    let link = this.#unused
+    if (link === NONE) {
+      link = this.#links++
+      if (link === this.#cells.length) this.#grow()
+    } else this.#unused = this.#next[link]
+    this.#cells[link] = cell
+    return link
   }
 
   #grow(): void {
     this.#cells = doubled(this.#cells)
-    this.#below = doubled(this.#below)
+    this.#next = doubled(this.#next)
   }
 }
 

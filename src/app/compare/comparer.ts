@@ -1,13 +1,8 @@
+import { type AskedWorker, dismiss, listen } from '../asked-worker'
 import type { ComparedPlan, Subject } from './compared'
 import type { CompareAnswer, CompareQuestion } from './protocol'
 
-/** What the comparer needs of a `Worker`. */
-export interface CompareWorker {
-  onmessage: ((event: { readonly data: CompareAnswer }) => void) | null
-  onerror: ((event: { readonly message?: string; preventDefault?(): void }) => void) | null
-  postMessage(question: CompareQuestion): void
-  terminate(): void
-}
+export type CompareWorker = AskedWorker<CompareQuestion, CompareAnswer>
 
 export interface ComparerEvents {
   planned(subject: Subject, plan: ComparedPlan): void
@@ -64,22 +59,18 @@ export class Comparer {
 
   #dropWorker(): void {
     clearTimeout(this.#timer)
-    if (this.#worker) {
-      this.#worker.onmessage = null
-      this.#worker.onerror = null
-      this.#worker.terminate()
-    }
+    if (this.#worker) dismiss(this.#worker)
     this.#worker = null
     this.#running = null
   }
 
   #newWorker(): CompareWorker {
     const worker = this.#makeWorker()
-    worker.onmessage = ({ data }) => this.#answered(data)
-    worker.onerror = (event) => {
-      event.preventDefault?.()
-      this.#broke(event.message || 'the comparing worker could not be started')
-    }
+    listen(
+      worker,
+      (answer) => this.#answered(answer),
+      (why) => this.#broke(why || 'the comparing worker could not be started'),
+    )
     return worker
   }
 

@@ -1,15 +1,6 @@
+import { askedWorker } from '../asked-worker'
 import type { CompareWorker } from './comparer'
 
 /** A new worker that compares. */
-export function comparingWorker(): CompareWorker {
-  const worker = new Worker(new URL('./compare-worker.ts', import.meta.url), { type: 'module' })
-  const like: CompareWorker = {
-    onmessage: null,
-    onerror: null,
-    postMessage: (question) => worker.postMessage(question),
-    terminate: () => worker.terminate(),
-  }
-  worker.onmessage = (event) => like.onmessage?.(event)
-  worker.onerror = (event) => like.onerror?.(event)
-  return like
-}
+export const comparingWorker = (): CompareWorker =>
+  askedWorker(new Worker(new URL('./compare-worker.ts', import.meta.url), { type: 'module' }))

@@ -2,15 +2,10 @@ import { InOrder } from '../../experiments/in-order'
 import type { Row } from '../../experiments/row'
 import { countWork, type ExperimentSettings } from '../../experiments/settings'
 import type { MapRange } from '../../experiments/shards'
+import { type AskedWorker, dismiss, listen } from '../asked-worker'
 import type { Order, Report } from './protocol'
 
-/** What the crew needs of a `Worker`. */
-export interface Hand {
-  onmessage: ((event: { readonly data: Report }) => void) | null
-  onerror: ((event: { readonly message?: string; preventDefault?(): void }) => void) | null
-  postMessage(order: Order): void
-  terminate(): void
-}
+export type Hand = AskedWorker<Order, Report>
 
 export interface CrewEvents {
   /** More maps are done; their number, from the first on without a gap. */
@@ -66,20 +61,16 @@ export class Crew {
 
   /** Ends the work. The rows stay. */
   stop(): void {
-    for (const hand of this.#hands) {
-      hand.onmessage = null
-      hand.onerror = null
-      hand.terminate()
-    }
+    for (const hand of this.#hands) dismiss(hand)
     this.#hands = []
   }
 
   #start(hand: Hand): void {
-    hand.onmessage = ({ data }) => this.#hear(hand, data)
-    hand.onerror = (event) => {
-      event.preventDefault?.()
-      this.#fail(event.message || 'a worker could not be started')
-    }
+    listen(
+      hand,
+      (report) => this.#hear(hand, report),
+      (why) => this.#fail(why || 'a worker could not be started'),
+    )
     hand.postMessage({ kind: 'settings', settings: this.#settings })
     this.#ask(hand)
   }

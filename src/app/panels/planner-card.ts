@@ -1,5 +1,6 @@
 import { planners } from '../../algorithms/planners'
 import type { DiagonalRule } from '../../grid/steps'
+import { DIAGONAL_RULE_WORDS } from '../diagonal-rules'
 import { byId, create, setText } from '../element'
 import { plannerOf, type Setup, withDiagonal, withSettings } from '../setup'
 import type { State } from '../state'
@@ -12,17 +13,6 @@ const FAMILIES = [
   { family: 'offline', title: 'Sees the whole map' },
   { family: 'online', title: 'Senses as it goes' },
 ] as const
-
-const RULES: Readonly<Record<DiagonalRule, { readonly title: string; readonly help: string }>> = {
-  'if-at-most-one-obstacle': {
-    title: 'If at most one obstacle',
-    help: 'Legal unless both cells beside the step are obstacles (PathFinding.js: IfAtMostOneObstacle).',
-  },
-  'only-when-no-obstacles': {
-    title: 'Only when no obstacles',
-    help: 'Legal only if both cells beside the step are free (PathFinding.js: OnlyWhenNoObstacles).',
-  },
-}
 
 /** Binds the planner card; returns what shows a state in it. */
 export function plannerCard(store: Store<State>, openAbout: () => void): (state: State) => void {
@@ -42,7 +32,7 @@ export function plannerCard(store: Store<State>, openAbout: () => void): (state:
     }
     select.append(group)
   }
-  for (const [rule, { title: name }] of Object.entries(RULES)) {
+  for (const [rule, { title: name }] of Object.entries(DIAGONAL_RULE_WORDS)) {
     diagonal.append(create('option', { value: rule }, name))
   }
 
@@ -84,8 +74,10 @@ export function plannerCard(store: Store<State>, openAbout: () => void): (state:
     })
   })
   diagonal.addEventListener('change', () => {
-    const rule = Object.keys(RULES).find((name) => name === diagonal.value) as DiagonalRule
-    const text = `Diagonal steps: ${RULES[rule].title}.`
+    const rule = Object.keys(DIAGONAL_RULE_WORDS).find(
+      (name) => name === diagonal.value,
+    ) as DiagonalRule
+    const text = `Diagonal steps: ${DIAGONAL_RULE_WORDS[rule].title}.`
     store.update((state) => change(state, withDiagonal(state.setup, rule), text))
   })
   reset.addEventListener('click', () => {
@@ -112,7 +104,7 @@ export function plannerCard(store: Store<State>, openAbout: () => void): (state:
     setText(summary, planner.summary)
     select.value = planner.id
     diagonal.value = setup.problem.diagonal
-    setText(diagonalHelp, RULES[setup.problem.diagonal].help)
+    setText(diagonalHelp, DIAGONAL_RULE_WORDS[setup.problem.diagonal].help)
     const hasPotential =
       shown?.setup.plannerId === setup.plannerId && shown.last.fields.potential !== null
     potential.element.hidden = !hasPotential

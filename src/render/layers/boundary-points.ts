@@ -1,4 +1,5 @@
 import type { Cell } from '../../grid/grid'
+import type { Cells } from '../../trace/frame'
 import type { Pen } from '../pen'
 import {
   cellsAreAtLeast,
@@ -13,8 +14,8 @@ import type { Theme } from '../theme'
 const NUMBERS_FROM = 22
 
 /** Hit points: full triangles that point down, numbered in their order. */
-export function drawHits(pen: Pen, place: Placement, theme: Theme, cells: readonly Cell[]): void {
-  cells.forEach((cell, i) => {
+export function drawHits(pen: Pen, place: Placement, theme: Theme, cells: Cells): void {
+  Array.from(cells).forEach((cell, i) => {
     if (!isVisible(place, cell)) return
     traceTriangle(pen, place, cell, 1)
     fillAndRim(pen, place, theme.hit, theme.casing)
@@ -23,8 +24,8 @@ export function drawHits(pen: Pen, place: Placement, theme: Theme, cells: readon
 }
 
 /** Leave points: hollow triangles that point up, numbered in their order. */
-export function drawLeaves(pen: Pen, place: Placement, theme: Theme, cells: readonly Cell[]): void {
-  cells.forEach((cell, i) => {
+export function drawLeaves(pen: Pen, place: Placement, theme: Theme, cells: Cells): void {
+  Array.from(cells).forEach((cell, i) => {
     if (!isVisible(place, cell)) return
     traceTriangle(pen, place, cell, -1)
     fillAndRim(pen, place, theme.casing, theme.leave)

@@ -1,11 +1,11 @@
-import type { Cell } from '../../grid/grid'
+import type { Cells } from '../../trace/frame'
 import type { Pen } from '../pen'
 import { inProportion, type Placement } from '../placement'
 import type { Theme } from '../theme'
 import { traceCells } from './polyline'
 
 /** The m-line, dashed. */
-export function drawMLine(pen: Pen, place: Placement, theme: Theme, cells: readonly Cell[]): void {
+export function drawMLine(pen: Pen, place: Placement, theme: Theme, cells: Cells): void {
   if (cells.length < 2) return
   const dash = inProportion(place, 0.3, 4, 10)
   pen.lineJoin = 'round'

@@ -1,11 +1,23 @@
-import type { Cell } from '../../grid/grid'
+import type { Cells } from '../../trace/frame'
 import type { Pen } from '../pen'
-import { centreX, centreY, inProportion, isVisible, type Placement } from '../placement'
+import {
+  centreX,
+  centreY,
+  edgeX,
+  edgeY,
+  inProportion,
+  isVisible,
+  type Placement,
+} from '../placement'
 import type { Theme } from '../theme'
 import { mayBeSeen } from './polyline'
 
+/** More lines than this on one screen cannot be told apart; they come into sight as one zooms in. */
+const MOST_LINES = 100_000
+
 /** @param lines pairs of cells, one after the other */
-export function drawEdges(pen: Pen, place: Placement, theme: Theme, lines: readonly Cell[]): void {
+export function drawEdges(pen: Pen, place: Placement, theme: Theme, lines: Cells): void {
+  if (lines.length > 2 * MOST_LINES && countVisible(place, lines) > MOST_LINES) return
   pen.lineCap = 'round'
   pen.strokeStyle = theme.roadmap
   pen.lineWidth = inProportion(place, 0.05, 0.8, 2)
@@ -18,15 +30,26 @@ export function drawEdges(pen: Pen, place: Placement, theme: Theme, lines: reado
   pen.stroke()
 }
 
-export function drawVertices(
-  pen: Pen,
-  place: Placement,
-  theme: Theme,
-  vertices: readonly Cell[],
-): void {
+function countVisible(place: Placement, lines: Cells): number {
+  let count = 0
+  for (let i = 0; i + 1 < lines.length; i += 2) {
+    if (mayBeSeen(place, lines[i], lines[i + 1])) count++
+  }
+  return count
+}
+
+/** Of more vertices than this, those that would cover each other are drawn once. */
+const CROWD = 20_000
+
+export function drawVertices(pen: Pen, place: Placement, theme: Theme, vertices: Cells): void {
   const radius = inProportion(place, 0.14, 1.5, 5)
   pen.fillStyle = theme.vertex
   pen.beginPath()
+  if (vertices.length > CROWD) {
+    traceCrowd(pen, place, vertices, Math.ceil(radius))
+    pen.fill()
+    return
+  }
   for (const cell of vertices) {
     if (!isVisible(place, cell)) continue
     const x = centreX(place, cell)
@@ -35,4 +58,22 @@ export function drawVertices(
     pen.arc(x, y, radius, 0, 2 * Math.PI)
   }
   pen.fill()
+}
+
+/** Squares in a raster, each of which a vertex falls into. */
+function traceCrowd(pen: Pen, place: Placement, vertices: Cells, side: number): void {
+  const left = edgeX(place, place.fromX)
+  const top = edgeY(place, place.fromY)
+  const columns = Math.ceil((edgeX(place, place.toX) - left) / side) + 1
+  const rows = Math.ceil((edgeY(place, place.toY) - top) / side) + 1
+  const isTaken = new Uint8Array(columns * rows)
+  for (const cell of vertices) {
+    if (!isVisible(place, cell)) continue
+    const column = Math.floor((centreX(place, cell) - left) / side)
+    const row = Math.floor((centreY(place, cell) - top) / side)
+    if (column < 0 || row < 0 || column >= columns || row >= rows) continue
+    if (isTaken[row * columns + column]) continue
+    isTaken[row * columns + column] = 1
+    pen.rect(left + column * side, top + row * side, side, side)
+  }
 }

@@ -1,11 +1,11 @@
-import type { Cell } from '../../grid/grid'
+import type { Cells } from '../../trace/frame'
 import type { Pen } from '../pen'
 import { inProportion, type Placement } from '../placement'
 import type { Theme } from '../theme'
 import { traceCells } from './polyline'
 
 /** A way from cell to cell: the path that was found, or the trail of what has been walked. */
-export function drawRoute(pen: Pen, place: Placement, theme: Theme, cells: readonly Cell[]): void {
+export function drawRoute(pen: Pen, place: Placement, theme: Theme, cells: Cells): void {
   if (cells.length < 2) return
   const width = inProportion(place, 0.22, 2.25, 9)
   pen.lineJoin = 'round'

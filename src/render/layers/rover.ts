@@ -1,4 +1,5 @@
 import type { Cell } from '../../grid/grid'
+import type { Cells } from '../../trace/frame'
 import type { Pen } from '../pen'
 import { centreX, centreY, edgeX, edgeY, inProportion, type Placement } from '../placement'
 import type { Theme } from '../theme'
@@ -53,7 +54,7 @@ export function drawRover(
 }
 
 /** Where the trail leads, as an angle clockwise from east; towards the goal while it has not begun. */
-export function headingOf(columns: number, trail: readonly Cell[], goal: Cell): number {
+export function headingOf(columns: number, trail: Cells, goal: Cell): number {
   const moved = trail.length > 1
   const to = moved ? trail[trail.length - 1] : goal
   const from = moved ? trail[trail.length - 2] : (trail[0] ?? goal)

@@ -1,4 +1,5 @@
 import type { Cell } from '../../grid/grid'
+import type { Cells } from '../../trace/frame'
 import type { Pen } from '../pen'
 import { centreX, centreY, inProportion, type Placement } from '../placement'
 import type { Theme } from '../theme'
@@ -9,10 +10,10 @@ export function drawTangentGraph(
   place: Placement,
   theme: Theme,
   rover: Cell,
-  nodes: readonly Cell[],
+  nodes: Cells,
 ): void {
   const line = inProportion(place, 0.035, 0.75, 1.5)
-  const inMap = nodes.filter((node) => node >= 0)
+  const inMap = Array.from(nodes).filter((node) => node >= 0)
   pen.lineCap = 'butt'
   pen.lineJoin = 'miter'
   pen.strokeStyle = theme.sensor
