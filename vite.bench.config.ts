@@ -6,7 +6,7 @@ export default defineConfig({
   build: {
     target: 'es2022',
     outDir: 'dist-bench',
-    lib: { entry: { bench: 'bench/main.ts' }, formats: ['es'] },
+    lib: { entry: { bench: 'bench/planners/main.ts' }, formats: ['es'] },
     rolldownOptions: {
       external: [/^node:/, 'path-planner', 'pathfinding', /^ngraph\./, 'easystarjs'],
     },

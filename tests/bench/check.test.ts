@@ -1,12 +1,15 @@
 import { expect, test } from 'vitest'
-import { faultsOn } from '../../bench/check'
-import { roadmapFaultsOn } from '../../bench/check-roadmap'
-import { checkInWords, isOursRight, together } from '../../bench/checked'
-import { generatedMap, MAP_KINDS } from '../../bench/maps'
-import { allPeers } from '../../bench/peers/all'
-import { easystar } from '../../bench/peers/easystar'
-import { ngraphAStarBuilt } from '../../bench/peers/ngraph'
-import { pathfindingBiAStar, pathfindingJumpPointDefault } from '../../bench/peers/pathfinding'
+import { faultsOn } from '../../bench/planners/check'
+import { roadmapFaultsOn } from '../../bench/planners/check-roadmap'
+import { checkInWords, isOursRight, together } from '../../bench/planners/checked'
+import { generatedMap, MAP_KINDS } from '../../bench/planners/maps'
+import { allPeers } from '../../bench/planners/peers/all'
+import { easystar } from '../../bench/planners/peers/easystar'
+import { ngraphAStarBuilt } from '../../bench/planners/peers/ngraph'
+import {
+  pathfindingBiAStar,
+  pathfindingJumpPointDefault,
+} from '../../bench/planners/peers/pathfinding'
 
 const size = { width: 40, height: 30 }
 const WRONG = [easystar, pathfindingBiAStar, pathfindingJumpPointDefault]

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { readCommand } from '../../bench/command'
+import { readCommand } from '../../bench/planners/command'
 
 const nothing = { help: false, quick: false, docs: false, only: '', maps: [], scenarios: [] }
 

@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest'
-import type { Case } from '../../bench/case'
-import { speedDocument } from '../../bench/document'
-import { type Growth, growers, isGrowthMet } from '../../bench/growth'
-import { columnsOf, digits, growthInWords } from '../../bench/words'
+import type { Case } from '../../bench/planners/case'
+import { speedDocument } from '../../bench/planners/document'
+import { type Growth, growers, isGrowthMet } from '../../bench/planners/growth'
+import { columnsOf, digits, growthInWords } from '../../bench/planners/words'
 
 const one: Case = {
   name: 'decomposition dijkstra, open 60×40',

@@ -2,7 +2,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { afterAll, beforeAll, expect, test } from 'vitest'
-import { isAsStated, misstated, readScenarioMaps } from '../../bench/movingai'
+import { isAsStated, misstated, readScenarioMaps } from '../../bench/planners/movingai'
 
 let folder = ''
 const file = (name: string, text: string) => {

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest'
-import { exponentOf } from '../../bench/growth'
-import { figuresOf, isMet, timeAlone, timeInTurn } from '../../bench/timing'
+import { exponentOf } from '../../bench/planners/growth'
+import { figuresOf, isMet, timeAlone, timeInTurn } from '../../bench/planners/timing'
 
 /** A clock that only work moves on. */
 let now = 0
@@ -25,22 +25,33 @@ test('work is timed in turn, ours first, by the units that it did', () => {
   expect(ours.length).toBe(peer.length)
   expect(ours.length).toBeGreaterThanOrEqual(5)
   expect(new Set([...ours, ...peer])).toEqual(new Set([30]))
-  // 60 ms of warming up each. Beside long work, short work is warmed up again for each sample.
-  const warmUp = ['ours', 'ours', 'peer']
+  // Warming up: at least 100 ms and three times each. Beside long work, short work is warmed up
+  // again for each sample.
+  const warmUp = ['ours', 'ours', 'ours', 'ours', 'peer', 'peer', 'peer']
   const round = ['ours', 'ours', 'peer']
   expect(turns).toEqual([...warmUp, ...ours.flatMap(() => round)])
 })
 
-test('very short work is repeated within a sample, very long work is done five times', () => {
+test('very short work is repeated within a sample, very long work is done three times', () => {
   turns.length = 0
   const short = timeInTurn(work('ours', 0.5, 1), work('peer', 2, 1))
   expect(new Set(short.ours)).toEqual(new Set([0.5]))
   expect(short.ours).toHaveLength(15)
   const count = (name: string) => turns.filter((turn) => turn === name).length
-  expect([count('ours'), count('peer')]).toEqual([120 + 15 * 20, 30 + 15 * 5])
+  expect([count('ours'), count('peer')]).toEqual([200 + 15 * 20, 50 + 15 * 5])
   turns.length = 0
-  expect(timeInTurn(work('ours', 101, 1), work('peer', 5000, 1)).peer).toHaveLength(5)
-  expect([count('ours'), count('peer')]).toEqual([1 + 5, 1 + 5])
+  expect(timeInTurn(work('ours', 101, 1), work('peer', 5000, 1)).peer).toHaveLength(3)
+  expect([count('ours'), count('peer')]).toEqual([3 + 3, 1 + 3])
+})
+
+test('work is warmed up until it becomes no faster', () => {
+  turns.length = 0
+  const compiled = () => {
+    turns.push('ours')
+    now += turns.length > 8 ? 1 : 200 / turns.length
+    return 1
+  }
+  for (const time of timeInTurn(compiled, work('peer', 5, 1)).ours) expect(time).toBeCloseTo(1, 9)
 })
 
 test('work by itself is timed by its units, too, and once if it is long', () => {

@@ -1,7 +1,6 @@
 import type { Direction } from '../../grid/directions'
 import type { Cell } from '../../grid/grid'
 import { type Memory, OPEN } from './memory'
-import { straightJumps } from './straight-jumps'
 
 /** Looks from a cell along its ways for the next cell where a shortest path may turn. */
 export class Jumps {
@@ -10,7 +9,6 @@ export class Jumps {
   direction: Direction = 0
   readonly #legal: Uint8Array
   readonly #successors: Uint8Array
-  readonly #straight: Int16Array
   readonly #offsets: Int32Array
   readonly #diagonalWeight: number
   readonly #goal: Cell
@@ -26,7 +24,6 @@ export class Jumps {
   ) {
     this.#legal = legal
     this.#successors = successors
-    this.#straight = straightJumps(legal, successors, offsets[4])
     this.#offsets = offsets
     this.#diagonalWeight = diagonalWeight
     this.#goal = goal
@@ -43,10 +40,10 @@ export class Jumps {
     let d = direction
     let length = weight
     for (;;) {
-      const steps = d & 1 ? this.#diagonally(cell, d) : this.#straightOn(cell, d)
-      if (steps <= 0) return -1
-      length += steps * (d & 1 ? this.#diagonalWeight : 1)
-      cell += steps * this.#offsets[d]
+      const next = d & 1 ? this.#diagonally(cell, d) : this.#straight(cell, d)
+      if (next < 0) return -1
+      length += ((next - cell) / this.#offsets[d]) * (d & 1 ? this.#diagonalWeight : 1)
+      cell = next
       const ways = this.#successors[(d << 8) | this.#legal[cell]]
       if (cell === this.#goal || (ways & (ways - 1)) !== 0) break
       if (states[cell] !== 0 && length >= weights[cell]) return -1
@@ -59,16 +56,26 @@ export class Jumps {
     return cell
   }
 
-  /** Steps to the first cell with another way than onward, or to the goal; 0 or less if to none. */
-  #straightOn(from: Cell, d: Direction): number {
-    const steps = this.#straight[4 * from + (d >> 1)]
-    const toGoal = (this.#goal - from) / this.#offsets[d]
-    if (toGoal <= 0 || toGoal > Math.abs(steps)) return steps
-    return Number.isInteger(toGoal) ? toGoal : steps
+  /** The first cell with another way than onward, or the goal; -1 if the way ends before. */
+  #straight(from: Cell, d: Direction): Cell {
+    const legal = this.#legal
+    const successors = this.#successors
+    const goal = this.#goal
+    const offset = this.#offsets[d]
+    const row = d << 8
+    const onward = 1 << d
+    let cell = from
+    let ways = onward
+    while (ways === onward) {
+      cell += offset
+      if (cell === goal) return cell
+      ways = successors[row | legal[cell]]
+    }
+    return ways === 0 ? -1 : cell
   }
 
-  /** Steps to the first cell with a way round a corner, or with a jump point straight to a side. */
-  #diagonally(from: Cell, d: Direction): number {
+  /** The first cell round an obstacle's corner, or with a jump point straight to a side; or the goal. */
+  #diagonally(from: Cell, d: Direction): Cell {
     const legal = this.#legal
     const successors = this.#successors
     const goal = this.#goal
@@ -80,12 +87,13 @@ export class Jumps {
     const natural = onward | (1 << left) | (1 << right)
     let cell = from
     let ways = onward
-    for (let steps = 1; (ways & onward) !== 0; steps++) {
+    while ((ways & onward) !== 0) {
       cell += offset
       ways = successors[row | legal[cell]]
-      if (cell === goal || (ways & ~natural) !== 0) return steps
-      if (this.#straightOn(cell, left) > 0 || this.#straightOn(cell, right) > 0) return steps
+      if (cell === goal || (ways & ~natural) !== 0) return cell
+      if ((ways >> left) & 1 && this.#straight(cell, left) >= 0) return cell
+      if ((ways >> right) & 1 && this.#straight(cell, right) >= 0) return cell
     }
-    return 0
+    return -1
   }
 }

@@ -1,5 +1,5 @@
 import { parseArgs } from 'node:util'
-import { InputError } from '../src/grid/errors'
+import { InputError } from '../../src/grid/errors'
 
 export const USAGE = `Times our planners and those of other libraries in turn.
 

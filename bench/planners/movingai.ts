@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs'
 import { basename } from 'node:path'
-import { InputError } from '../src/grid/errors'
-import { readMovingAiMap, readScenarios, type Scenario } from '../src/grid/formats/movingai'
+import { InputError } from '../../src/grid/errors'
+import { readMovingAiMap, readScenarios, type Scenario } from '../../src/grid/formats/movingai'
 import type { BenchMap } from './maps'
 import { ask, searchesOf } from './ours'
 

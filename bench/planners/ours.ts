@@ -1,5 +1,5 @@
 import { type Outcome, type ParamSettings, plan, plannerById, type Tape } from 'path-planner'
-import type { Grid } from '../src/grid/grid'
+import type { Grid } from '../../src/grid/grid'
 import { type Query, RULE } from './maps'
 
 /**

@@ -1,4 +1,4 @@
-import type { Cell, Grid } from '../../src/grid/grid'
+import type { Cell, Grid } from '../../../src/grid/grid'
 import { Heap } from './heap'
 import { walkPairs } from './pairs'
 

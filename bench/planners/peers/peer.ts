@@ -1,4 +1,4 @@
-import type { Cell, Grid } from '../../src/grid/grid'
+import type { Cell, Grid } from '../../../src/grid/grid'
 
 /** The cells of a path from start to goal; empty if none was found. */
 export type Find = (start: Cell, goal: Cell) => readonly Cell[]

@@ -1,4 +1,4 @@
-import { quantilesOf } from '../src/experiments/summary/statistics'
+import { quantilesOf } from '../../src/experiments/summary/statistics'
 import type { Target, Work } from './case'
 
 /** Times of a unit of work in ms, taken in turn: ours[i] right before peer[i]. */
@@ -7,12 +7,14 @@ export interface Samples {
   readonly peer: readonly number[]
 }
 
-const WARM_UP_MS = 60
+const WARM_UP_MS = 100
+const LEAST_RUNS = 3
+/** What takes so long was compiled on the way. */
+const VERY_LONG_MS = 500
 /** What is shorter is repeated within a sample, so that the clock's steps do not count. */
 const SAMPLE_MS = 10
 /** What takes longer leaves much garbage behind, and hardly notices that it is compiled again. */
 const LONG_MS = 100
-const LEAST_ROUNDS = 5
 const MOST_ROUNDS = 15
 const ENOUGH_MS = 600
 const ALONE_MS = 200
@@ -22,10 +24,11 @@ export function timeInTurn(ours: Work, peer: Work): Samples {
   globalThis.gc?.()
   const once = { ours: warmUp(ours), peer: warmUp(peer) }
   const sweeping = Math.max(once.ours, once.peer) > LONG_MS
+  const least = Math.max(once.ours, once.peer) > VERY_LONG_MS ? 3 : 5
   const samples: { ours: number[]; peer: number[] } = { ours: [], peer: [] }
   const end = performance.now() + ENOUGH_MS
   for (let round = 0; round < MOST_ROUNDS; round++) {
-    if (round >= LEAST_ROUNDS && performance.now() > end) break
+    if (round >= least && performance.now() > end) break
     samples.ours.push(sample(ours, once.ours, sweeping))
     samples.peer.push(sample(peer, once.peer, sweeping))
   }
@@ -43,18 +46,23 @@ export function timeAlone(work: Work): number {
   return quantilesOf(samples).median
 }
 
-/** Does the work for a while; returns the shortest time that it took once, in ms. */
+/**
+ * Does the work until it has not become faster for a while, so that all of it is compiled; returns
+ * the shortest time that it took, in ms.
+ */
 function warmUp(work: Work): number {
-  const begin = performance.now()
-  let now = begin
+  let now = performance.now()
+  let since = now
   let least = Number.POSITIVE_INFINITY
-  do {
-    const last = now
+  for (let runs = 1; ; runs++) {
+    const begin = now
     work()
     now = performance.now()
-    least = Math.min(least, now - last)
-  } while (now - begin < WARM_UP_MS)
-  return least
+    if (now - begin < 0.9 * least) since = begin
+    least = Math.min(least, now - begin)
+    const enough = least > VERY_LONG_MS ? 1 : LEAST_RUNS
+    if (runs >= enough && now - since >= WARM_UP_MS) return least
+  }
 }
 
 /**

@@ -1,4 +1,4 @@
-import type { Grid } from '../../src/grid/grid'
+import type { Grid } from '../../../src/grid/grid'
 import type { Query } from '../maps'
 import { Heap } from './heap'
 import { isLegalStep } from './steps'

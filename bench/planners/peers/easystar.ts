@@ -1,5 +1,5 @@
 import EasyStar from 'easystarjs'
-import type { Cell, Grid } from '../../src/grid/grid'
+import type { Cell, Grid } from '../../../src/grid/grid'
 import type { Peer } from './peer'
 
 /** Its grid is an array of rows, which serves any number of queries. */

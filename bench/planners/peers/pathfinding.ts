@@ -1,5 +1,5 @@
 import PF from 'pathfinding'
-import type { Grid } from '../../src/grid/grid'
+import type { Grid } from '../../../src/grid/grid'
 import type { Peer } from './peer'
 
 const rule = { diagonalMovement: PF.DiagonalMovement.OnlyWhenNoObstacles }

@@ -1,4 +1,4 @@
-import { InputError } from '../src/grid/errors'
+import { InputError } from '../../src/grid/errors'
 import { readCommand, USAGE } from './command'
 import { benchGenerated } from './run'
 import { benchFiles } from './run-files'

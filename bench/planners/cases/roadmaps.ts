@@ -1,5 +1,5 @@
-import type { Cell, Grid } from '../../src/grid/grid'
-import { randomInteger, randomNumbers } from '../../src/grid/random'
+import type { Cell, Grid } from '../../../src/grid/grid'
+import { randomInteger, randomNumbers } from '../../../src/grid/random'
 import type { Case } from '../case'
 import type { BenchMap } from '../maps'
 import { ask, searchesOf } from '../ours'

@@ -1,4 +1,4 @@
-import type { Cell, Grid } from '../../src/grid/grid'
+import type { Cell, Grid } from '../../../src/grid/grid'
 
 /**
  * The plainest program that has to look at every cell: a breadth-first search by straight steps on

@@ -1,6 +1,6 @@
 import createGraph, { type Graph } from 'ngraph.graph'
 import { aStar, nba, type PathFinder } from 'ngraph.path'
-import type { Cell, Grid } from '../../src/grid/grid'
+import type { Cell, Grid } from '../../../src/grid/grid'
 import { isLegalStep } from '../plain/steps'
 import type { Peer } from './peer'
 

@@ -1,4 +1,4 @@
-import type { Cell } from '../src/grid/grid'
+import type { Cell } from '../../src/grid/grid'
 import type { BenchMap, Query } from './maps'
 import { ask, searchesOf } from './ours'
 import type { Peer } from './peers/peer'

@@ -1,6 +1,6 @@
 import { mkdirSync, writeFileSync } from 'node:fs'
-import { movingAiMap } from '../src/grid/formats/movingai'
-import { cellName } from '../src/grid/grid'
+import { movingAiMap } from '../../src/grid/formats/movingai'
+import { cellName } from '../../src/grid/grid'
 import type { Fault } from './check'
 
 const FOLDER = 'reports/bench'

@@ -1,5 +1,5 @@
 import type { ParamSettings } from 'path-planner'
-import { quantilesOf } from '../src/experiments/summary/statistics'
+import { quantilesOf } from '../../src/experiments/summary/statistics'
 import { acrossAll, type BenchMap, generatedMap } from './maps'
 import { ask, searchesOf } from './ours'
 import { timeAlone } from './timing'

@@ -1,4 +1,4 @@
-import type { Cell, Grid } from '../../src/grid/grid'
+import type { Cell, Grid } from '../../../src/grid/grid'
 
 /**
  * Whether each step of the simplest path (diagonal while both axes differ, then straight) is legal
