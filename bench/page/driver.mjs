@@ -51,6 +51,8 @@ export async function solve(page, text, width) {
   await openFile(page, text)
   await painted(page, width)
   await settled(page)
+  // A moment later the map is kept for the next visit.
+  await frames(page, 60)
 }
 
 /** Hides what the greeting of newcomers covers. @param {Page} page */
