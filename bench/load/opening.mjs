@@ -2,7 +2,6 @@
 
 /**
  * @typedef {object} Opening times in milliseconds, from the beginning of the navigation
- * @property {number} firstPaint of anything
  * @property {number} ready the solved map, or the form of the experiments, is on screen
  * @property {number} longest task of the main thread until then
  */
@@ -32,9 +31,8 @@ function watch(tell) {
     // After the frame that shows it.
     requestAnimationFrame(() =>
       setTimeout(() => {
-        const firstPaint = performance.getEntriesByName('first-contentful-paint')[0]?.startTime
         const ready = performance.now()
-        Reflect.get(window, tell)(JSON.stringify({ firstPaint, ready, longest }))
+        Reflect.get(window, tell)(JSON.stringify({ ready, longest }))
       }),
     )
   })

@@ -45,7 +45,6 @@ async function measureTimes(report, browser, url, what, worker) {
   for (let run = 0; run < RUNS; run++) runs.push(await opening(browser, url, SLOWDOWN))
   const median = (/** @type {keyof import('./opening.mjs').Opening} */ time) =>
     spread(runs.map((run) => run[time])).median
-  report.figure('first paint, median', median('firstPaint'), 'ms')
   report.figure('longest task before, median', median('longest'), 'ms')
   const { worst } = spread(runs.map(({ ready }) => ready))
   report.figure(`${what}, worst of ${RUNS}`, worst, 'ms')

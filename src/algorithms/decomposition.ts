@@ -58,7 +58,7 @@ export const decomposition = offlinePlanner({
       return { status: 'unreachable', reason, path, expanded }
     }
     tape?.at(line.found).write(EVENT.phase, -1, 2)
-    for (const cell of path) tape?.write(EVENT.path, cell)
+    if (tape) for (const cell of path) tape.write(EVENT.path, cell)
     return { status: 'reached', reason: 'the path of least cost', path, expanded }
   },
 })

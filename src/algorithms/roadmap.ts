@@ -111,7 +111,7 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
     if (here === goal) {
       const path = joinCells(grid.width, goal, parents, states)
       tape?.at(lines.found).write(EVENT.phase, -1, 3)
-      for (const cell of path) tape?.write(EVENT.path, cell)
+      if (tape) for (const cell of path) tape.write(EVENT.path, cell)
       return { status: 'reached', reason: 'the shortest path on the roadmap', path, expanded }
     }
     const count = sight.nearest(here)

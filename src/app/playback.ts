@@ -11,7 +11,7 @@ export interface Played {
 }
 
 /** In one call, which is one frame: a long tape takes more of them rather than longer ones. */
-const MOST_EVENTS = 1 << 18
+const MOST_EVENTS = 1 << 17
 
 /** A tape on its way to its end. Knows no clock: it is told what time it is. */
 export class Playback {

@@ -88,8 +88,7 @@ export class Stage {
     if (this.#layout !== 'measured') this.#measure()
     const { state } = this.#store
     this.#rendered = state
-    const end = performance.now() + PAINTING_MS
-    const isPainted = this.#picture.draw(this.scene(), state.view, () => performance.now() > end)
+    const isPainted = this.#picture.draw(this.scene(), state.view, paintingTime())
     this.#map.dataset.painted = String(isPainted)
     if (state.playing || state.run.kind === 'running' || !isPainted) this.#request()
   }
@@ -134,5 +133,18 @@ export class Stage {
   #describe(): void {
     const attributes = mapAttributes(this.#store.state)
     Object.assign(this.#map.dataset, attributes)
+  }
+}
+
+/**
+ * Says when the time to paint in this frame is up. It runs from when this is first asked, so that even
+ * the slowest machine paints something in each frame.
+ */
+function paintingTime(): () => boolean {
+  let end: number | null = null
+  return () => {
+    const now = performance.now()
+    end ??= now + PAINTING_MS
+    return now > end
   }
 }

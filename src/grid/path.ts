@@ -1,7 +1,7 @@
 import { isDiagonal, stepDirection, stepOffsets } from './directions'
 import type { Cell } from './grid'
 import type { Problem } from './problem'
-import { legalSteps } from './steps'
+import { LEGAL_STEPS } from './steps'
 
 /** The direction of each step of a path; -1 where two cells that follow are not neighbours. */
 export function stepDirections(width: number, path: ArrayLike<Cell>): Int8Array {
@@ -30,6 +30,7 @@ export function firstIllegalStep(
 ): number {
   const { width, walls } = grid
   const offsets = stepOffsets(width)
+  const legal = LEGAL_STEPS[diagonal]
   for (let i = 0; i < directions.length; i++) {
     const direction = directions[i]
     const from = path[i]
@@ -41,7 +42,7 @@ export function firstIllegalStep(
       obstacles |= walls[from + offsets[direction - 1]] << (direction - 1)
       obstacles |= walls[from + offsets[after]] << after
     }
-    if (((legalSteps(diagonal, obstacles) >> direction) & 1) === 0) return i + 1
+    if (((legal[obstacles] >> direction) & 1) === 0) return i + 1
   }
   return -1
 }

@@ -31,7 +31,8 @@ function legalTable(rule: DiagonalRule): Uint8Array {
   })
 }
 
-const LEGAL: Record<DiagonalRule, Uint8Array> = {
+/** By rule and by the directions of obstacles around a free cell: the legal steps from it. */
+export const LEGAL_STEPS: Record<DiagonalRule, Uint8Array> = {
   'if-at-most-one-obstacle': legalTable('if-at-most-one-obstacle'),
   'only-when-no-obstacles': legalTable('only-when-no-obstacles'),
 }
@@ -41,7 +42,7 @@ const LEGAL: Record<DiagonalRule, Uint8Array> = {
  * The one definition of a legal step: the map's and the rover's both ask here.
  */
 export function legalSteps(rule: DiagonalRule, obstacles: Directions): Directions {
-  return LEGAL[rule][obstacles]
+  return LEGAL_STEPS[rule][obstacles]
 }
 
 /** The directions in which the neighbour of a cell is an obstacle. */

@@ -141,6 +141,6 @@ it('a long tape is played in more frames, not in longer ones', () => {
     times.push(playback.timeAt(now))
   }
   const strides = times.slice(1, -1).map((time, i) => time - times[i])
-  expect(strides.length).toBeGreaterThan(2)
-  expect(Math.max(...strides)).toBeLessThan(300_000)
+  expect(strides.length).toBeGreaterThan(5)
+  expect(Math.max(...strides)).toBeLessThan(150_000)
 })

@@ -2,7 +2,7 @@ import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { EVENT, type EventKind, type Frame, frameAt, Player } from '../../src/index'
 import { foldWhole } from '../../src/trace/checkpoints'
-import { FELT_BIT, type Field, KNOWN_SHIFT } from '../../src/trace/frame'
+import { FELT_BIT, type Field, KNOWN_SHIFT, packed } from '../../src/trace/frame'
 import { type Event, events, HEIGHT, tapeOf, WIDTH } from './arbitraries'
 
 const FIELDS: readonly Field[] = ['attraction', 'repulsion', 'potential']
@@ -122,7 +122,7 @@ describe('a player', () => {
       fc.property(events, moves, some, some, some, (list, times, reach, spacing, beforeEnd) => {
         const tape = tapeOf(list)
         const { checkpoints } = foldWhole(tape, spacing, Math.min(beforeEnd, spacing))
-        const player = new Player(tape, checkpoints, reach)
+        const player = new Player(tape, checkpoints.map(packed), reach)
         expect(player.frame).toEqual(picture([]))
         for (const time of times) {
           const clamped = Math.max(0, Math.min(time, list.length))

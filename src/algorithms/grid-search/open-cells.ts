@@ -1,7 +1,7 @@
 import FlatQueue from 'flatqueue'
 import type { Cell } from '../../grid/grid'
 
-const SLOTS = 1 << 12
+const SLOTS = 1 << 10
 const ROOM = 1 << 10
 const NONE = -1
 
@@ -45,8 +45,7 @@ export class OpenCells {
       this.#chain = link
       return
     }
-    const whole = Math.floor(weight)
-    const slot = (whole * 1021 + (weight - whole) * 2 ** 23) & (SLOTS - 1)
+    const slot = slotOf(weight)
     if (this.#weights[slot] === weight) {
       const head = this.#headOf[slot]
       this.#next[link] = this.#next[head]
@@ -90,6 +89,12 @@ export class OpenCells {
     this.#cells = doubled(this.#cells)
     this.#next = doubled(this.#next)
   }
+}
+
+/** Weights below 2^23, in multiples of 2^-30: both their parts tell them apart. */
+function slotOf(weight: number): number {
+  const whole = weight | 0
+  return (whole * 1021 + (((weight - whole) * 2 ** 23) | 0)) & (SLOTS - 1)
 }
 
 function doubled(array: Int32Array<ArrayBuffer>): Int32Array<ArrayBuffer> {
