@@ -38,13 +38,13 @@ export class Report {
    * @param {string} name
    * @param {readonly number[]} values
    * @param {string} unit
-   * @param {number} [most] the target of the 95th percentile
+   * @param {{ median?: number, p95?: number, worst?: number }} [most] targets
    */
-  figures(name, values, unit, most) {
+  figures(name, values, unit, most = {}) {
     const { median, p95, worst } = spread(values)
-    this.figure(`${name}, median`, median, unit)
-    this.figure(`${name}, 95th percentile`, p95, unit, most)
-    this.figure(`${name}, worst of ${values.length}`, worst, unit)
+    this.figure(`${name}, median`, median, unit, most.median)
+    this.figure(`${name}, 95th percentile`, p95, unit, most.p95)
+    this.figure(`${name}, worst of ${values.length}`, worst, unit, most.worst)
   }
 }
 

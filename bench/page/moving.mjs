@@ -40,7 +40,7 @@ export async function measureMoving(report) {
  */
 async function measure(report, page, name, move) {
   const { script, busy } = await watchFrames(page, () => move(page))
-  report.figures(`${name}: script a frame`, script, 'ms', SCRIPT_MS)
+  report.figures(`${name}: script a frame`, script, 'ms', { p95: SCRIPT_MS })
   report.figures(`${name}: main thread busy a frame`, busy, 'ms')
 }
 

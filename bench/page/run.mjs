@@ -1,4 +1,4 @@
-// Measures the built page with the largest map in a real browser; see docs/speed.md.
+// Measures the built page with the largest map in a real browser.
 // Names on the command line run a part: opening, moving, strokes, stepping, memory.
 import { spawnSync } from 'node:child_process'
 import { Report } from './figures.mjs'

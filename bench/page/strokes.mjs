@@ -6,6 +6,9 @@ import { watchFrames } from './timeline.mjs'
 
 const SCALE = 12
 const MOVES = 60
+const FRAME_MS = 1000 / 60
+/** By the clock, on which the planner's worker and whatever else there is have their share. */
+const ABOUT_A_FRAME_MS = 50
 
 /** @typedef {import('@playwright/test').Page} Page */
 /** @typedef {import('./figures.mjs').Report} Report */
@@ -62,15 +65,15 @@ async function measure(report, page, name, row) {
     `${name}: frames until it is seen`,
     answers.map(({ frames }) => frames),
     'frames',
-    1,
+    { worst: 1 },
   )
   report.figures(
     `${name}: from the move until it is drawn`,
     answers.map(({ time }) => time),
     'ms',
-    2 * (1000 / 60),
+    { median: ABOUT_A_FRAME_MS },
   )
-  report.figures(`${name}: script a frame`, watched.script, 'ms', 1000 / 60)
+  report.figures(`${name}: script a frame`, watched.script, 'ms', { p95: FRAME_MS })
 }
 
 /**

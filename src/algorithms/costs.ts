@@ -45,3 +45,16 @@ export function simplestPathWeights(cost: Cost, width: number): (a: Cell, b: Cel
     return across > down ? across + more * down : down + more * across
   }
 }
+
+/** The same to one cell from many, whose own place is then reckoned only once. */
+export function weightsTo(goal: Cell, cost: Cost, width: number): (cell: Cell) => number {
+  const more = DIAGONAL_WEIGHT[cost] - 1
+  const x = goal % width
+  const y = Math.floor(goal / width)
+  return (cell) => {
+    const above = Math.floor(cell / width)
+    const across = Math.abs(cell - above * width - x)
+    const down = Math.abs(above - y)
+    return across > down ? across + more * down : down + more * across
+  }
+}

@@ -75,7 +75,7 @@ export function descend(task: Descent): Answer {
     return lowest
   }
 
-  if (tape) recordFields(fields, grid.walls.length, lines, tape)
+  if (tape) recordFields(fields, lines, tape)
   tape?.at(lines.step).write(EVENT.phase, -1, 3)
   let here = problem.start
   visit(here)
@@ -105,13 +105,24 @@ export function descend(task: Descent): Answer {
   return { status: 'reached', reason, path: Int32Array.from(path), expanded: 0 }
 }
 
-function recordFields(fields: Fields, cells: number, lines: PotentialLines, tape: Tape): void {
-  tape.reserve(3 * cells)
-  const record = (phase: number, line: number, kind: EventKind, field: (cell: Cell) => number) => {
-    tape.at(line).write(EVENT.phase, -1, phase)
-    for (let cell = 0; cell < cells; cell++) tape.write(kind, cell, -1, field(cell))
-  }
-  record(0, lines.attraction, EVENT.attraction, fields.attraction)
-  record(1, lines.repulsion, EVENT.repulsion, fields.repulsion)
-  record(2, lines.sum, EVENT.potential, fields.potential)
+function recordFields(fields: Fields, lines: PotentialLines, tape: Tape): void {
+  const attraction = fields.attraction()
+  const repulsion = fields.repulsion()
+  tape.reserve(3 * attraction.length)
+  recordField(0, lines.attraction, EVENT.attraction, attraction, tape)
+  recordField(1, lines.repulsion, EVENT.repulsion, repulsion, tape)
+  const potential = attraction
+  for (let cell = 0; cell < potential.length; cell++) potential[cell] += repulsion[cell]
+  recordField(2, lines.sum, EVENT.potential, potential, tape)
+}
+
+function recordField(
+  phase: number,
+  line: number,
+  kind: EventKind,
+  field: Float64Array,
+  tape: Tape,
+): void {
+  tape.at(line).write(EVENT.phase, -1, phase)
+  for (let cell = 0; cell < field.length; cell++) tape.write(kind, cell, -1, field[cell])
 }

@@ -57,14 +57,15 @@ export function plan(problem: Problem, plannerId: string, options: PlanOptions =
   if (tape !== undefined && !(tape instanceof Tape)) throw new InputError('The tape is no Tape.')
   tape?.begin(problem.grid.width, problem.grid.height)
   const context = { params, random: randomNumbers(seed), tape, progress }
-  const { sensed, ...answer } = run(problem, planner, context)
+  const answer = run(problem, planner, context)
+  const { status, reason, path, expanded, sensed } = answer
   const { width } = problem.grid
-  const directions = stepDirections(width, answer.path)
+  const directions = stepDirections(width, path)
   checkAnswer(problem, planner, params, answer, directions)
-  tape?.write(EVENT.end, answer.path.at(-1), STATUSES.indexOf(answer.status))
-  const measure = measurePath(width, answer.path, directions)
-  const steps = Math.max(0, measure.cells - 1)
-  return { ...answer, sensed, measure, cost: params.cost === 'euclidean' ? measure.length : steps }
+  tape?.write(EVENT.end, path.at(-1), STATUSES.indexOf(status))
+  const measure = measurePath(width, path, directions)
+  const cost = params.cost === 'euclidean' ? measure.length : directions.length
+  return { status, reason, path, cost, measure, expanded, sensed }
 }
 
 function run(
@@ -72,13 +73,17 @@ function run(
   planner: AnyPlanner,
   context: Context<Values>,
 ): Answer & { sensed: number } {
-  if (planner.family === 'offline') return { ...planner.plan(problem, context), sensed: 0 }
+  if (planner.family === 'offline') {
+    // Spreading the answer would take longer than many a search.
+    const { status, reason, path, expanded } = planner.plan(problem, context)
+    return { status, reason, path, expanded, sensed: 0 }
+  }
   const rover = new SimulatedRover(problem, planner.sensor(context.params), context.tape)
-  const answer = planner.drive(rover, {
+  const { status, reason } = planner.drive(rover, {
     params: context.params,
     notes: new DriveNotes(rover, context.tape),
   })
-  return { ...answer, path: rover.trail(), expanded: 0, sensed: rover.sensed }
+  return { status, reason, path: rover.trail(), expanded: 0, sensed: rover.sensed }
 }
 
 /** A planner that answers what is not true has a bug: better no answer than a wrong one. */

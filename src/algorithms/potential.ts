@@ -42,28 +42,40 @@ type Settings = ValuesOf<typeof potentialParams>
  * the goal; and their sum. Obstacles are infinite; the border of the map repels nothing.
  */
 export interface Fields {
-  attraction(cell: Cell): number
-  repulsion(cell: Cell): number
+  /** The sum at one cell. */
   potential(cell: Cell): number
+  attraction(): Float64Array
+  repulsion(): Float64Array
 }
 
 export function fieldsOf({ grid, goal }: Problem, settings: Settings): Fields {
-  const { width } = grid
+  const { width, height } = grid
   const goalY = Math.floor(goal / width)
   const goalX = goal - goalY * width
   const reach = { influence: settings.influence, measure: settings.repulsionDistance }
   const closest = closestObstacles(grid, reach)
   const strengths = strengthTable(reach, settings.repulsiveValue)
 
-  const attraction = (cell: Cell): number => {
-    const y = Math.floor(cell / width)
-    const dx = cell - y * width - goalX
-    const dy = y - goalY
-    return dx * dx + dy * dy
+  const attractionAt = (x: number, y: number) => (x - goalX) ** 2 + (y - goalY) ** 2
+  const repulsionAt = (cell: Cell) => (cell === goal ? 0 : strengths[closest[cell]])
+  return {
+    potential(cell) {
+      const y = Math.floor(cell / width)
+      return attractionAt(cell - y * width, y) + repulsionAt(cell)
+    },
+    attraction() {
+      const field = new Float64Array(closest.length)
+      for (let cell = 0, y = 0; y < height; y++) {
+        for (let x = 0; x < width; x++) field[cell++] = attractionAt(x, y)
+      }
+      return field
+    },
+    repulsion() {
+      const field = new Float64Array(closest.length)
+      for (let cell = 0; cell < field.length; cell++) field[cell] = repulsionAt(cell)
+      return field
+    },
   }
-  const repulsion = (cell: Cell): number => (cell === goal ? 0 : strengths[closest[cell]])
-  const potential = (cell: Cell): number => attraction(cell) + repulsion(cell)
-  return { attraction, repulsion, potential }
 }
 
 /** Repulsion by the measure of the closest obstacle: infinite on it, 0 if there is none. */

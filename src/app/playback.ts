@@ -10,6 +10,9 @@ export interface Played {
   readonly time: number
 }
 
+/** In one call, which is one frame: a long tape takes more of them rather than longer ones. */
+const MOST_EVENTS = 1 << 18
+
 /** A tape on its way to its end. Knows no clock: it is told what time it is. */
 export class Playback {
   readonly #tape: TapeColumns
@@ -37,7 +40,9 @@ export class Playback {
    */
   timeAt(now: number): number {
     this.#began ??= now
-    this.#time = this.#timeAfter(now - this.#began)
+    const due = this.#timeAfter(now - this.#began)
+    const most = this.#time + MOST_EVENTS
+    this.#time = Math.min(due, this.#tape.length) > most ? most : due
     return this.#time
   }
 }

@@ -48,8 +48,9 @@ export function differences(
   // Four cells at a time, of millions.
   const [as, bs] = [wordsOf(a), wordsOf(b)]
   const words = Math.min(as.length, bs.length)
-  for (let i = 0; i < words && cells.length <= most; i++) {
-    if (as[i] === bs[i]) continue
+  for (let i = 0; cells.length <= most; i++) {
+    while (i < words && as[i] === bs[i]) i++
+    if (i >= words) break
     for (let cell = 4 * i; cell < 4 * i + 4; cell++) if (a[cell] !== b[cell]) cells.push(cell)
   }
   for (let cell = 4 * words; cell < a.length && cells.length <= most; cell++) {

@@ -78,7 +78,8 @@ export async function pictureAsPng(scene: Scene, cellSize?: number): Promise<Blo
   const context = contextOf(canvas)
   const image = new CellImage()
   const cells = new CellCanvas()
-  cells.take(image.pixels, scene.problem.grid, image.update(scene))
+  const painted = image.update(scene)
+  cells.take(image.pixels, scene.problem.grid, painted)
   context.fillStyle = scene.theme.outside
   context.fillRect(0, 0, width, height)
   drawBorder(context, place, scene.theme)

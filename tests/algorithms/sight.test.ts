@@ -31,15 +31,15 @@ function found(Finder: new (rays: Rays, edges: Edges) => Finder, rays: Rays, sid
   return Array.from(rays.marks.keys(), (from) => {
     const all: string[] = []
     finder.all(from, (vertex, outward) => all.push(`${vertex} ${outward}`))
-    return [listed(edges, finder.nearest(from)), all.sort()]
+    return [listed(edges, finder.nearest(from)), all]
   })
 }
 
 function listed({ ends, weights, outwards }: Edges, count: number): string[] {
-  return Array.from({ length: count }, (_, i) => `${ends[i]} ${weights[i]} ${outwards[i]}`).sort()
+  return Array.from({ length: count }, (_, i) => `${ends[i]} ${weights[i]} ${outwards[i]}`)
 }
 
-test('walking and looking up find the same edges', () => {
+test('walking and looking up find the same edges in the same order', () => {
   fc.assert(
     fc.property(problems, (problem) => {
       const rays = raysOver(problem, someVertices(problem), 'euclidean')

@@ -131,3 +131,16 @@ describe('playing a tape', () => {
     expect(playback.isPlaying({ tape, tempo: { ...whole }, time })).toBe(false)
   })
 })
+
+it('a long tape is played in more frames, not in longer ones', () => {
+  const tape = tapeOf(['close', 1_000_000])
+  const tempo = { kind: 'whole', duration: 1, times: 1, pause: 0, asked: true } as const
+  const playback = new Playback({ tape, tempo, time: 0 })
+  const times: number[] = []
+  for (let now = 0; times.at(-1) !== Number.POSITIVE_INFINITY; now += 16) {
+    times.push(playback.timeAt(now))
+  }
+  const strides = times.slice(1, -1).map((time, i) => time - times[i])
+  expect(strides.length).toBeGreaterThan(2)
+  expect(Math.max(...strides)).toBeLessThan(300_000)
+})

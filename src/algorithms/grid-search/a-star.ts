@@ -1,7 +1,7 @@
 import { stepOffsets } from '../../grid/directions'
 import { allLegalSteps } from '../../grid/legal-steps'
 import { EVENT } from '../../trace/events'
-import { costOfWeight, DIAGONAL_WEIGHT, simplestPathWeights } from '../costs'
+import { costOfWeight, DIAGONAL_WEIGHT, weightsTo } from '../costs'
 import { Jumps } from './jumps'
 import { CLOSED, DIRECTION, memoryFor, OPEN } from './memory'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
@@ -32,7 +32,7 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
   const successors = SUCCESSORS[diagonal]
   const offsets = stepOffsets(grid.width)
   const diagonalWeight = DIAGONAL_WEIGHT[cost]
-  const estimate = simplestPathWeights(cost, grid.width)
+  const estimate = weightsTo(goal, cost, grid.width)
   const memory = memoryFor(cells)
   const { states, weights } = memory
   const jumps = jumping ? new Jumps(legal, successors, offsets, diagonalWeight, goal, memory) : null
@@ -40,7 +40,7 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
   let expanded = 0
   states[start] = OPEN | NO_DIRECTION
   weights[start] = 0
-  openCells.begin(start, estimate(start, goal))
+  openCells.begin(start, estimate(start))
   tape?.at(lines.open).write(EVENT.open, start)
   for (let cell = openCells.pop(); cell >= 0; cell = openCells.pop()) {
     const state = states[cell]
@@ -72,7 +72,7 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
       if (known & CLOSED || (known !== 0 && longer >= weights[reached])) continue
       states[reached] = OPEN | direction
       weights[reached] = longer
-      openCells.push(reached, longer + estimate(reached, goal))
+      openCells.push(reached, longer + estimate(reached))
       if (tape) tape.at(lines.open).write(EVENT.open, reached, cell, costOfWeight(cost, longer))
     }
   }

@@ -1,7 +1,7 @@
 import FlatQueue from 'flatqueue'
 import type { Cell } from '../../grid/grid'
 
-const SLOTS = 1 << 12
+const SLOTS = 1 << 10
 const ROOM = 1 << 10
 const NONE = -1
 

@@ -32,11 +32,6 @@ export class ClearTable {
       const along = weights[outward]
       const aside = weights[outward ^ 1]
       const ahead = steps[(from << 3) | d]
-      if (ahead > 0) {
-        ends[count] = from + ahead * offset
-        sums[count] = ahead * along
-        outwards[count++] = 1
-      }
       const bends = ahead > 0 ? ahead - 1 : -ahead
       for (let i = 1, bend = from + offset; i <= bends; i++, bend += offset) {
         for (let turn = 7; turn <= 9; turn += 2) {
@@ -47,6 +42,11 @@ export class ClearTable {
           sums[count] = i * along + more * aside
           outwards[count++] = outward
         }
+      }
+      if (ahead > 0) {
+        ends[count] = from + ahead * offset
+        sums[count] = ahead * along
+        outwards[count++] = 1
       }
     }
     return count

@@ -14,7 +14,8 @@ const WALKED_BEFORE_TABLE = 16
  *
  * All cells with such a path lie on rays that bend once, so that looking along these rays finds them
  * in time that grows with what is seen, not with the number of vertices. Where the map is so wide and
- * empty that it takes long to walk the rays, a table makes a single step of each.
+ * empty that it takes long to walk the rays, a table makes a single step of each. Both find the same
+ * in the same order, so that it does not show which one it was.
  */
 export class Sight {
   /** What `nearest` found last. */
