@@ -71,8 +71,9 @@ function checkInMarkdown({ queries, faults }: Checked): string {
     const greatest = own.reduce((a, b) => (b.cost / b.least > a.cost / a.least ? b : a))
     return `- ${name}: ${own.length} wrong, the worst ${faultInWords(greatest)}, on ${greatest.map.origin}`
   }
-  return `On ${count(queries)} queries everyone was asked, and held against a plain Dijkstra. Ours gave the
-least cost on all of them, by every search. Peers that did not, under this rule and set up as they are here:
+  return `All were asked ${count(queries)} queries, the peers that are too slow for large maps only those on small
+ones, and held against a plain Dijkstra. Ours gave the least cost each time, by every search. Peers that
+did not, under this rule and set up as they are here:
 
 ${names.map(worst).join('\n')}`
 }
@@ -81,16 +82,17 @@ function ratiosInMarkdown(results: readonly Result[]): string {
   const bound = results.filter(({ one }) => one.target !== null)
   const met = bound.filter(({ figures }) => figures.met)
   const rows = results.map(({ one, figures }) => columnsOf(one, figures))
-  return `${met.length} of ${bound.length} targets are met. A target with ≥ is on how many times as fast as the peer ours is, one with ≤ on how
-many times the peer's time ours takes.
+  return `${met.length} of ${bound.length} targets are met. With ≥ a target says how many times as fast as the peer ours must be, with ≤ how many
+times the peer's time it may take.
 
 ${table([...COLUMNS], rows)}`
 }
 
 const growthIntroduction = `Random maps with 20 % obstacles, from 64 × 64 to 2048 × 2048 cells, three of each size; from one end of
-what can be reached to the other. The exponent is that of the power of the number of cells that fits the
-medians best. Decomposition by \`dijkstra\` and potential fields look at every cell once, so twice as many
-cells must take twice as long, within the limits of the processor's caches: at most ${MOST_A_DOUBLING} times.`
+what can be reached to the other. Who takes more than two seconds is not asked for larger ones. The
+exponent is that of the power of the number of cells that fits the medians best. Decomposition by
+\`dijkstra\` and potential fields look at every cell once, so twice as many cells must take twice as
+long, within the limits of the processor's caches: at most ${MOST_A_DOUBLING} times.`
 
 function growthTable(growth: readonly Growth[]): string {
   const sides = [64, 512, 2048]

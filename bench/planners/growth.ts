@@ -63,21 +63,22 @@ export const walkers: readonly Grower[] = [
 
 export const growers: readonly Grower[] = [...searchers, ...walkers]
 
+/** A planner that takes longer is not asked for larger maps. */
+const MOST_MS = 2000
+
 /** Times planners on random maps of all sizes, from one end of what can be reached to the other. */
 export function measureGrowth(growers: readonly Grower[]): Growth[] {
-  const points = SIDES.map((side) => pointsOn(side, growers))
-  return growers.map((one, i) => {
-    const own = points.map((all) => all[i])
-    return { grower: one, points: own, exponent: exponentOf(own) }
-  })
-}
-
-function pointsOn(side: number, growers: readonly Grower[]): GrowthPoint[] {
-  const maps = SEEDS.map((seed) => generatedMap('random', { width: side, height: side }, seed, 1))
-  return growers.map((one) => {
-    const { least, median, greatest } = quantilesOf(maps.map((map) => timeOn(map, one)))
-    return { side, least, median, greatest }
-  })
+  const points = new Map<Grower, GrowthPoint[]>(growers.map((one) => [one, []]))
+  for (const side of SIDES) {
+    const maps = SEEDS.map((seed) => generatedMap('random', { width: side, height: side }, seed, 1))
+    for (const [one, own] of points) {
+      const before = own[own.length - 1]
+      if (before && before.median > MOST_MS) continue
+      const { least, median, greatest } = quantilesOf(maps.map((map) => timeOn(map, one)))
+      own.push({ side, least, median, greatest })
+    }
+  }
+  return [...points].map(([one, own]) => ({ grower: one, points: own, exponent: exponentOf(own) }))
 }
 
 function timeOn({ grid, queries }: BenchMap, { planner, params }: Grower): number {

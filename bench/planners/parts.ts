@@ -46,7 +46,7 @@ function casesOn(kind: MapKind, map: BenchMap, isLarge: boolean): Case[] {
     ...cellCases(map),
     visibilityCase(map),
   ]
-  if (map.grid.width >= 200) cases.push(...tapeCases(map))
+  if (map.grid.width === 200 || (isLarge && kind === 'random')) cases.push(...tapeCases(map))
   if (isLarge) cases.push(...roadmapCases(map), fieldCase(map))
   return cases
 }

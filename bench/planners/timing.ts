@@ -17,7 +17,7 @@ const SAMPLE_MS = 10
 const LONG_MS = 100
 const MOST_ROUNDS = 15
 const ENOUGH_MS = 600
-const ALONE_MS = 200
+const ALONE_MS = 50
 
 /** Times both in turn until there are enough samples. */
 export function timeInTurn(ours: Work, peer: Work): Samples {

@@ -124,5 +124,5 @@ function recordField(
   tape: Tape,
 ): void {
   tape.at(line).write(EVENT.phase, -1, phase)
-  for (let cell = 0; cell < field.length; cell++) tape.write(kind, cell, -1, field[cell])
+  tape.writeField(kind, field)
 }

@@ -28,10 +28,8 @@ export function stepNumbers({ shown, frame }: Moment): Row[] {
     row('Boundary', frame.following ? side : 'not followed')
   }
   variables.forEach((name, i) => {
-    // Not every way to plan decides by all of them.
+    // Not every way to plan decides by all of them, and a thinned tape leaves their values out.
     if (last.values[i] === undefined) return
-    // Nothing is known of it: a thinned tape leaves the values out.
-    if (isThinned && last.values[i] === undefined) return
     const value = frame.values[i]
     const label = `${name.charAt(0).toUpperCase()}${name.slice(1)}`
     // A variable's own name, such as d_reach, stays as the pseudocode writes it.

@@ -44,7 +44,7 @@ export function visibilityGraphSection(evidence: Evidence): Section {
       'The *Visibility Graph* method is also complete. The downside of this approach is its elevated computational cost. In fact, it is necessary to scan every obstacle cell in order to discover the obstacle vertex points, then build the *dummy path* between each pair of vertices and finally apply a shortest path algorithm.',
     body: [
       `${failures.length === 0 ? 'Complete: borne out.' : 'Complete: not borne out.'} It reached the goal on ${ofMaps(possible.length - failures.length, possible.length)} that have a way to it. The report does not claim that it is optimal, and under its diagonal rule it is not: ${percent(optimal)} of the paths had the least number of cells, the worst ${figure(quantiles.greatest)} times as many steps.`,
-      `${isCostly ? 'Its cost: borne out' : 'Its cost: not borne out on all sizes'}, though this program does not try each pair of vertices. It walks the lines of sight of a vertex when the search comes to it, which finds the same edges. Time to plan, median:`,
+      `${isCostly ? 'Its cost: borne out' : 'Its cost: not borne out on all sizes'}, though this program does not try each pair of vertices. It walks the lines of sight of a vertex when the search comes to it, and finds paths of the same cost. Time to plan, median:`,
       table(
         ['Map', 'decomposition', 'visibility graph', 'factor'],
         sizes.map(({ name, grid, graph }, i) => [

@@ -95,6 +95,23 @@ export class Tape implements TapeColumns {
     this.length = i + 1
   }
 
+  /** An event of this kind for each cell of the map, one after the other, with the cell's value. */
+  writeField(kind: EventKind, field: Float64Array): void {
+    const from = this.length
+    const to = from + field.length
+    if (this.thinning !== 'whole' || to > this.#most) {
+      for (let cell = 0; cell < field.length; cell++) this.write(kind, cell, -1, field[cell])
+      return
+    }
+    this.reserve(field.length)
+    this.kinds.fill(kind, from, to)
+    this.lines.fill(this.line, from, to)
+    for (let cell = 0; cell < field.length; cell++) this.cells[from + cell] = cell
+    this.others.fill(-1, from, to)
+    this.values.set(field, from)
+    this.length = to
+  }
+
   /** Hands over the columns, and the buffers to transfer with them. The tape is empty then. */
   release(): { columns: TapeColumns; buffers: ArrayBuffer[] } {
     if (this.length < this.kinds.length / 2) this.#resize(this.length)

@@ -151,6 +151,30 @@ describe('a tape with more events than it has room for', () => {
   })
 })
 
+describe('a field', () => {
+  const field = Float64Array.from({ length: 9 }, (_, cell) => cell / 3)
+  const oneByOne = (most: number, before: number): Tape => {
+    const tape = new Tape(most)
+    tape.begin(3, 3)
+    for (let i = 0; i < before; i++) tape.write(EVENT.open, i % 9)
+    return tape.at(4)
+  }
+
+  test.each([
+    ['with room to grow', 5000, 1020],
+    ['on a tape that becomes full, so that small events are left out', 1024, 1020],
+  ])('is written as cell by cell, %s', (_, most, before) => {
+    for (const kind of [EVENT.potential, EVENT.attraction] as const) {
+      const tape = oneByOne(most, before)
+      tape.writeField(kind, field)
+      const same = oneByOne(most, before)
+      for (let cell = 0; cell < 9; cell++) same.write(kind, cell, -1, field[cell])
+      expect(written(tape)).toEqual(written(same))
+      expect(tape.thinning).toBe(most === 5000 ? 'whole' : 'thinned')
+    }
+  })
+})
+
 test('room that is reserved is there, and what was written stays', () => {
   const list = [{ kind: EVENT.step, line: 1, cell: 4, other: 3, value: 0.5 }] as const
   const tape = tapeOf(list)

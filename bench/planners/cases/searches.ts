@@ -8,6 +8,8 @@ import type { Find, Peer } from '../peers/peer'
 
 /** Larger maps are too much for graphs of objects and for hashes of cells. */
 const MOST_CELLS = 200 * 200
+/** Building a graph for each query takes so long that small maps must do. */
+const MOST_CELLS_BUILT = 60 * 40
 
 /** How many times as fast as its peer each search must be; where nothing is said it is only shown. */
 export interface SearchTargets {
@@ -18,8 +20,11 @@ export interface SearchTargets {
 
 /** Grid decomposition by each search, against the peers that do the same: all queries of a map. */
 export function searchCases(map: BenchMap, targets: SearchTargets): Case[] {
-  const isSmall = map.grid.walls.length <= MOST_CELLS
-  const others = isSmall ? [ngraphAStarBuilt, ngraphAStar, easystar] : []
+  const cells = map.grid.walls.length
+  const others = [
+    ...(cells <= MOST_CELLS_BUILT ? [ngraphAStarBuilt] : []),
+    ...(cells <= MOST_CELLS ? [ngraphAStar, easystar] : []),
+  ]
   const duels: readonly (readonly [string, Peer, (number | undefined)?])[] = [
     ['dijkstra', pathfindingDijkstra, targets.dijkstra],
     ['a-star', pathfindingAStar, targets['a-star']],
