@@ -117,8 +117,9 @@ function growthTable(growth: readonly Growth[]): string {
 }
 
 function growthFigure(name: string, what: string, growth: readonly Growth[]): Figure {
-  const lines = growth.map(({ grower, points, exponent }) => ({
-    name: `${grower.name} (${exponent.toFixed(2)})`,
+  const lines = growth.map(({ grower, points }) => ({
+    // There is little room beside the drawing.
+    name: grower.name.replace('probabilistic-', ''),
     points: points.map(({ side, least, median, greatest }) => ({
       x: side * side,
       y: median,
@@ -127,8 +128,10 @@ function growthFigure(name: string, what: string, growth: readonly Growth[]): Fi
     })),
   }))
   const all = lines.flatMap(({ points }) => points)
-  const title = `${what}: time over the number of cells, both logarithmic, and the exponents`
-  const summary = lines.map(({ name: words }) => words).join(', ')
+  const title = `${what}: time over the number of cells, both logarithmic`
+  const summary = growth
+    .map(({ grower, exponent }) => `${grower.name} by the power of ${exponent.toFixed(2)}`)
+    .join(', ')
   const svg = lineChart(
     title,
     {
