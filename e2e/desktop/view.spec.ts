@@ -61,6 +61,7 @@ test('the middle button moves the map and draws nothing', async ({ map }) => {
 })
 
 test('Space and drag moves the map, and draws nothing', async ({ map, page }) => {
+  await expect(map.element).toHaveAttribute('data-status', 'reached')
   const cells = String(await map.element.getAttribute('data-cells'))
   await page.keyboard.down('Space')
   const { x, y } = await map.cell(2, 12)

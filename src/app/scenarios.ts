@@ -105,7 +105,7 @@ export const scenarios: readonly Scenario[] = [
   },
   {
     id: 'banner-a-star',
-    title: 'Path Planner in letters, A*',
+    title: 'The same letters, A*',
     figure: '',
     see: 'A* also counts what is left to the goal at least, and closes 92 cells where Dijkstra closes 625 for the same cost: choose another Search and see.',
     problem: problemFromText(maps.banner),
