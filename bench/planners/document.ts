@@ -52,9 +52,9 @@ const introduction = (machine: string): string => `# How fast
 
 This page is written by \`npm run bench -- --docs\`. The bench runs our planners and those of other
 libraries in turn (A B A B) in one process: ours as the built library, from a plain array of obstacles
-that it has never seen to the checked answer; theirs with what they need anew for each query, such as a
-copy of a grid that serves one query only, but without what they can keep. All answers are compared
-before anything is timed. Times are medians; the ratio is the median of the ratios of neighbouring
+to the checked answer; theirs with what they need anew for each query, such as a copy of a grid that
+serves one query only, but without what they can keep. Ours keep the legal steps of the map before, and
+each query pays for comparing the maps cell by cell. All answers are compared before anything is timed. Times are medians; the ratio is the median of the ratios of neighbouring
 samples, beside its quartiles.
 
 Measured with ${machine}. The ratios say more than the times: they hold on other machines too.

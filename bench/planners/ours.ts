@@ -4,7 +4,8 @@ import { type Query, RULE } from './maps'
 
 /**
  * One question to the built library, from a plain array of obstacles to the answer. The array is
- * copied for each question, and the copy counted, so that nothing can be remembered of the last one.
+ * copied for each question, and the copy counted. What the planners keep of the map before, its legal
+ * steps, they may use only once they have compared the two maps cell by cell: that is counted, too.
  */
 export function ask(
   grid: Grid,

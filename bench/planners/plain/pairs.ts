@@ -25,23 +25,24 @@ export function walkIsFree({ width, walls }: Grid, from: Cell, to: Cell): boolea
 
 /**
  * The edges of a roadmap by walking pairs: calls `edge` for each pair of vertices whose simplest
- * path is free in at least one direction. Of the pairs, only the given part is walked, spread evenly.
+ * path is free in at least one direction. Of the vertices only every so many is joined with those
+ * after it. Returns the part of all pairs that was walked.
  */
 export function walkPairs(
   grid: Grid,
   vertices: ArrayLike<Cell>,
-  part: number,
+  every: number,
   edge: (from: Cell, to: Cell) => void,
-): void {
-  let due = 0
-  for (let i = 0; i < vertices.length; i++) {
-    for (let j = i + 1; j < vertices.length; j++) {
-      due += part
-      if (due < 1) continue
-      due--
+): number {
+  const count = vertices.length
+  let walked = 0
+  for (let i = 0; i < count; i += every) {
+    for (let j = i + 1; j < count; j++) {
       const a = vertices[i]
       const b = vertices[j]
       if (walkIsFree(grid, a, b) || walkIsFree(grid, b, a)) edge(a, b)
     }
+    walked += count - 1 - i
   }
+  return walked / ((count * (count - 1)) / 2)
 }
