@@ -31,6 +31,11 @@ export function costOfWeight(cost: Cost, weight: number): number {
   return cost === 'cells' ? Math.floor(weight) : weight
 }
 
+/** The weight of the simplest path so far across and down; a diagonal step weighs 1 + `more`. */
+function weightOf(across: number, down: number, more: number): number {
+  return across > down ? across + more * down : down + more * across
+}
+
 /**
  * Weighs the simplest path between two cells of a map `width` cells wide. No path weighs less,
  * whatever the obstacles.
@@ -42,7 +47,7 @@ export function simplestPathWeights(cost: Cost, width: number): (a: Cell, b: Cel
     const aboveB = Math.floor(b / width)
     const across = Math.abs(a - aboveA * width - (b - aboveB * width))
     const down = Math.abs(aboveA - aboveB)
-    return across > down ? across + more * down : down + more * across
+    return weightOf(across, down, more)
   }
 }
 
@@ -57,6 +62,6 @@ export function weightsTo(goal: Cell, cost: Cost, width: number): (cell: Cell) =
     const above = ((cell + 0.5) * share) | 0
     const across = Math.abs(cell - above * width - x)
     const down = Math.abs(above - y)
-    return across > down ? across + more * down : down + more * across
+    return weightOf(across, down, more)
   }
 }

@@ -8,6 +8,7 @@ import type { CellSearch } from './grid-search/search'
 import type { Param } from './params'
 import { offlinePlanner } from './planner'
 import { pseudocode } from './pseudocode'
+import { searchParam } from './search-param'
 
 const { text, line } = pseudocode({
   graph: 'graph ← the free cells; edges join cells one legal step apart',
@@ -24,12 +25,9 @@ const SEARCHES = {
   'jump-point': jumpPointSearch,
 } satisfies Record<string, CellSearch>
 
-const searchParam = {
-  name: 'search',
-  label: 'Search',
-  kind: 'choice',
-  choices: ['dijkstra', 'a-star', 'jump-point'],
-  default: 'dijkstra',
+const cellSearchParam = {
+  ...searchParam,
+  choices: [...searchParam.choices, 'jump-point'],
   help: 'dijkstra: the report’s, by the cost so far; a-star: by that plus the least cost of what is left; jump-point: a-star over the cells where a path may turn. The same cost, with fewer expanded.',
 } as const satisfies Param
 
@@ -41,7 +39,7 @@ export const decomposition = offlinePlanner({
   promise: 'Complete and optimal: the least cost there is, or a proof that no path exists.',
   complete: () => true,
   optimal: () => true,
-  params: [searchParam, costParam],
+  params: [cellSearchParam, costParam],
   phases: ['Decompose the map into cells', 'Search', 'Path'],
   variables: ['least cost of a path over this cell'],
   pseudocode: text,
