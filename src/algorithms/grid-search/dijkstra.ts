@@ -38,7 +38,7 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
       if (tape) tape.at(lines.close).write(EVENT.close, cell, -1, costOfWeight(cost, weight))
       if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
       if (cell === goal) {
-        return { path: wayBack(start, goal, memory, offsets, diagonalWeight), expanded }
+        return { path: wayBack(start, goal, memory, offsets), expanded }
       }
       let steps = successors[((state & DIRECTION) << 8) | legal[cell]]
       while (steps !== 0) {
