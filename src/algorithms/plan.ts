@@ -85,12 +85,7 @@ function run(
 }
 
 /** A planner that answers what is not true has a bug: better no answer than a wrong one. */
-function checkAnswer(
-  problem: Problem,
-  planner: AnyPlanner,
-  params: Values,
-  answer: Answer,
-): void {
+function checkAnswer(problem: Problem, planner: AnyPlanner, params: Values, answer: Answer): void {
   const { path, status } = answer
   const bug = (what: string) => new Error(`Bug in planner ${planner.id}: ${what}.`)
   if (path.length > 0 && path[0] !== problem.start)

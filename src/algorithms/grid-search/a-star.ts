@@ -35,7 +35,9 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
   const estimate = weightsTo(goal, cost, grid.width)
   const memory = memoryFor(cells)
   const { states, weights } = memory
-  const jumps = jumping ? new Jumps(legal, successors, offsets, diagonalWeight, goal, memory) : null
+  const jumps = jumping
+    ? new Jumps(legal, successors, offsets, diagonalWeight, problem, memory)
+    : null
   const { openCells } = memory
   let expanded = 0
   states[start] = OPEN | NO_DIRECTION
