@@ -1,6 +1,6 @@
 import type { Cell } from '../grid/grid'
 import { EVENT } from '../trace/events'
-import { type CellList, type Frame, KNOWN, knownOf } from '../trace/frame'
+import { type CellList, type Cells, type Frame, KNOWN, knownOf } from '../trace/frame'
 import type { FieldRange } from './heat'
 import { knownGrid } from './known-obstacles'
 import { drawHits, drawLeaves } from './layers/boundary-points'
@@ -59,8 +59,14 @@ export function dottedRows(scene: Scene): number {
 }
 
 /** What a plan leaves behind, from the first of its vertices to the path. */
-export function drawPlan(pen: Pen, place: Placement, theme: Theme, frame: Frame): void {
-  drawVertices(pen, place, theme, frame.vertices)
+export function drawPlan(
+  pen: Pen,
+  place: Placement,
+  theme: Theme,
+  frame: Frame,
+  vertices: Cells,
+): void {
+  drawVertices(pen, place, theme, vertices)
   drawMLine(pen, place, theme, frame.mLine)
   drawRoute(pen, place, theme, frame.trail)
   drawRoute(pen, place, theme, frame.path)

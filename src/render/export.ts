@@ -7,7 +7,7 @@ import { drawBorder } from './layers/border'
 import { drawComparison } from './layers/comparison'
 import { drawEdges } from './layers/roadmap'
 import type { Pen } from './pen'
-import { type Placement, placeMap } from './placement'
+import { MOST_IN_VIEW, type Placement, placeMap } from './placement'
 import { planOnMap, type Scene } from './scene'
 import { svgCells } from './svg-cells'
 import { SvgPen, svgPaint } from './svg-pen'
@@ -48,8 +48,10 @@ function drawUponCells(pen: Pen, place: Placement, scene: Scene, range: FieldRan
   const frame = planOnMap(scene)?.frame
   drawGround(pen, place, scene, range)
   if (frame) {
-    drawEdges(pen, place, scene.theme, edgeLines(place.columns, place.rows, frame.edges))
-    drawPlan(pen, place, scene.theme, frame)
+    const lines = edgeLines(place.columns, place.rows, frame.edges)
+    const { vertices } = frame
+    if (lines.length <= 2 * MOST_IN_VIEW) drawEdges(pen, place, scene.theme, lines)
+    drawPlan(pen, place, scene.theme, frame, vertices.length <= MOST_IN_VIEW ? vertices : [])
   }
   drawComparison(pen, place, scene.theme, scene.comparison)
   drawMarks(pen, place, scene)

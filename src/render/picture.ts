@@ -1,10 +1,8 @@
-import type { Cell } from '../grid/grid'
-import type { TapeColumns } from '../trace/tape'
 import type { Box } from './box'
 import { CellCanvas } from './cell-canvas'
 import { CellImage } from './cell-image'
 import { dottedRows, drawGround, drawMarks, drawPlan, latestEdge } from './drawing'
-import { edgeLines } from './edge-lines'
+import { EdgeCover } from './edge-lines'
 import { drawBorder } from './layers/border'
 import { drawComparison } from './layers/comparison'
 import { drawEdges } from './layers/roadmap'
@@ -19,6 +17,8 @@ import {
 } from './placement'
 import { planOnMap, type Scene } from './scene'
 import { Sheet } from './sheet'
+import { SlicedIndex } from './sliced-index'
+import { VertexIndex } from './vertex-index'
 import type { View } from './view'
 
 /**
@@ -34,9 +34,8 @@ export class Picture {
   readonly #comparison: Sheet
   readonly #marks: Sheet
   #screen: DeviceScreen = { width: 0, height: 0, pixel: 1 }
-  #edgesTape: TapeColumns | undefined
-  #edges = 0
-  #lines: readonly Cell[] = []
+  readonly #vertices = new SlicedIndex((columns, rows) => new VertexIndex(columns, rows))
+  readonly #lines = new SlicedIndex((columns, rows) => new EdgeCover(columns, rows))
 
   constructor(host: HTMLElement) {
     this.#ground = new Sheet(host, 'ground')
@@ -68,11 +67,12 @@ export class Picture {
     this.#cells.take(this.#image.pixels, grid, painted)
     const ground = [place.left, place.top, place.cell, grid.width, grid.height, scene.theme]
     this.#drawGround(scene, place, ground, painted.filter(isInView))
+    const isIndexed = this.#indexRoadmap(scene, isTimeUp)
     this.#drawRoadmap(scene, place, ground)
     this.#drawPlan(scene, place, ground)
     this.#drawComparison(scene, place, ground)
     this.#drawMarks(scene, place, ground)
-    return this.#image.isComplete
+    return this.#image.isComplete && isIndexed
   }
 
   /** Takes the canvases out of the page. */
@@ -113,17 +113,21 @@ export class Picture {
     }
   }
 
-  #drawRoadmap(scene: Scene, place: Placement, ground: readonly unknown[]): void {
+  /** Says whether all of it is taken in. */
+  #indexRoadmap(scene: Scene, isTimeUp: () => boolean): boolean {
     const plan = planOnMap(scene)
-    const edges = plan?.frame.edges ?? []
-    if (plan?.tape !== this.#edgesTape || edges.length !== this.#edges) {
-      this.#edgesTape = plan?.tape
-      this.#edges = edges.length
-      this.#lines = edgeLines(place.columns, place.rows, edges)
-    }
-    if (!this.#roadmap.isOutdated([...ground, this.#lines])) return
-    this.#roadmap.redraw(this.#lines.length > 0, () =>
-      drawEdges(this.#roadmap.context, place, scene.theme, this.#lines),
+    const tape = plan?.tape ?? null
+    const hasVertices = this.#vertices.update(tape, plan?.frame.vertices ?? [], isTimeUp)
+    const hasEdges = this.#lines.update(tape, plan?.frame.edges ?? [], isTimeUp)
+    return hasVertices && hasEdges
+  }
+
+  #drawRoadmap(scene: Scene, place: Placement, ground: readonly unknown[]): void {
+    const { ready } = this.#lines
+    if (!this.#roadmap.isOutdated([...ground, ready])) return
+    const lines = ready?.inView(place) ?? []
+    this.#roadmap.redraw(lines.length > 0, () =>
+      drawEdges(this.#roadmap.context, place, scene.theme, lines),
     )
   }
 
@@ -131,17 +135,20 @@ export class Picture {
   #drawPlan(scene: Scene, place: Placement, ground: readonly unknown[]): void {
     const plan = planOnMap(scene)
     const frame = plan?.frame
+    const { ready, readyLength } = this.#vertices
     const counts = [
-      frame?.vertices.length,
+      readyLength,
       frame?.mLine.length,
       frame?.trail.length,
       frame?.path.length,
       frame?.hits.length,
       frame?.leaves.length,
     ]
-    if (!this.#plan.isOutdated([...ground, plan?.tape, ...counts])) return
+    if (!this.#plan.isOutdated([...ground, plan?.tape, ready, ...counts])) return
     this.#plan.redraw(counts.some(Boolean), () => {
-      if (frame) drawPlan(this.#plan.context, place, scene.theme, frame)
+      if (!frame) return
+      const vertices = ready?.inView(place) ?? []
+      drawPlan(this.#plan.context, place, scene.theme, frame, vertices)
     })
   }
 

@@ -87,15 +87,26 @@ export function cellsAreAtLeast(place: Placement, size: number): boolean {
   return place.cell >= size * place.pixel
 }
 
-/** Whether a cell, or what stands out of it by up to `reach` device pixels, can be seen. */
+/** Cells beside a cell into which what stands out of it reaches at most. */
+export const reachOf = (place: Placement): number => Math.ceil((16 * place.pixel) / place.cell)
+
+/** Whether a cell, or what stands out of it, can be seen. */
 export function isVisible(place: Placement, cell: Cell): boolean {
   const x = cell % place.columns
   const y = Math.floor(cell / place.columns)
-  const reach = Math.ceil((16 * place.pixel) / place.cell)
+  const reach = reachOf(place)
   return (
     x >= place.fromX - reach &&
     x < place.toX + reach &&
     y >= place.fromY - reach &&
     y < place.toY + reach
   )
+}
+
+/** More vertices or edges than this cannot be told apart; they come into sight as one zooms in. */
+export const MOST_IN_VIEW = 60_000
+
+/** The cells that can be seen, and so many around them. */
+export function boxInView({ fromX, toX, fromY, toY }: Placement, margin: number): Box {
+  return { left: fromX - margin, top: fromY - margin, right: toX + margin, bottom: toY + margin }
 }

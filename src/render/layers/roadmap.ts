@@ -12,12 +12,8 @@ import {
 import type { Theme } from '../theme'
 import { mayBeSeen } from './polyline'
 
-/** More lines than this on one screen cannot be told apart; they come into sight as one zooms in. */
-const MOST_LINES = 100_000
-
 /** @param lines pairs of cells, one after the other */
 export function drawEdges(pen: Pen, place: Placement, theme: Theme, lines: Cells): void {
-  if (lines.length > 2 * MOST_LINES && countVisible(place, lines) > MOST_LINES) return
   pen.lineCap = 'round'
   pen.strokeStyle = theme.roadmap
   pen.lineWidth = inProportion(place, 0.05, 0.8, 2)
@@ -28,14 +24,6 @@ export function drawEdges(pen: Pen, place: Placement, theme: Theme, lines: Cells
     pen.lineTo(centreX(place, lines[i + 1]), centreY(place, lines[i + 1]))
   }
   pen.stroke()
-}
-
-function countVisible(place: Placement, lines: Cells): number {
-  let count = 0
-  for (let i = 0; i + 1 < lines.length; i += 2) {
-    if (mayBeSeen(place, lines[i], lines[i + 1])) count++
-  }
-  return count
 }
 
 /** Of more vertices than this, those that would cover each other are drawn once. */

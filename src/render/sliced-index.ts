@@ -1,0 +1,80 @@
+import type { Cells } from '../trace/frame'
+import type { TapeColumns } from '../trace/tape'
+import { runFor, type Work } from './work'
+
+/** Makes an index of a list that only grows. */
+export interface Indexer<Index> {
+  /** The index of the first `length` entries; those that it had before are the same. */
+  take(list: Cells, length: number): Work<Index>
+}
+
+/**
+ * The index of a list in the frames of a tape, to which the tape only adds. What takes long is done
+ * a slice at a time; what was ready before is shown meanwhile, and what comes meanwhile waits.
+ */
+export class SlicedIndex<Index> {
+  readonly #newIndexer: (columns: number, rows: number) => Indexer<Index>
+  #ready: Index | null = null
+  #readyLength = 0
+  #indexer: Indexer<Index> | null = null
+  #tape: TapeColumns | null = null
+  /** Of the list, as far as the indexer was told to take it. */
+  #length = 0
+  #work: Work<void> | null = null
+
+  constructor(newIndexer: (columns: number, rows: number) => Indexer<Index>) {
+    this.#newIndexer = newIndexer
+  }
+
+  /** `null` while there is nothing to show. */
+  get ready(): Index | null {
+    return this.#ready
+  }
+
+  /** How many entries of the list the index has. */
+  get readyLength(): number {
+    return this.#readyLength
+  }
+
+  /** Goes on for as long as there is time; says whether it is done with the list as it is now. */
+  update(tape: TapeColumns | null, list: Cells, isTimeUp: () => boolean): boolean {
+    if (!tape || list.length === 0) {
+      this.#clear()
+      return true
+    }
+    if (tape !== this.#tape) this.#beginOn(tape)
+    while (this.#work || list.length !== this.#length) {
+      this.#work ??= this.#workOn(tape, list)
+      if (!runFor(this.#work, isTimeUp)) return false
+      this.#work = null
+    }
+    return true
+  }
+
+  #clear(): void {
+    this.#ready = null
+    this.#readyLength = 0
+    this.#indexer = null
+    this.#tape = null
+    this.#length = 0
+    this.#work = null
+  }
+
+  #beginOn(tape: TapeColumns): void {
+    // On a map of another size the cells are others; else what the plan before had is better than nothing.
+    if (tape.width !== this.#tape?.width || tape.height !== this.#tape.height) this.#clear()
+    this.#tape = tape
+    this.#indexer = null
+    this.#length = 0
+    this.#work = null
+  }
+
+  *#workOn(tape: TapeColumns, list: Cells): Work<void> {
+    const { length } = list
+    if (length < this.#length) this.#indexer = null
+    this.#length = length
+    this.#indexer ??= this.#newIndexer(tape.width, tape.height)
+    this.#ready = yield* this.#indexer.take(list, length)
+    this.#readyLength = length
+  }
+}
