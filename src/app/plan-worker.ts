@@ -35,7 +35,8 @@ function answer({ id, problem, plannerId, params, seed }: WorkerQuestion): void 
   const score = scoreOf(columns)
   send({ kind: 'planned', id, outcome, tape: columns, last, checkpoints, score, milliseconds }, [
     ...buffers,
-    ...[last, ...checkpoints].flatMap(frameBuffers),
+    // Frames share what they have in common.
+    ...new Set([last, ...checkpoints].flatMap(frameBuffers)),
     score.steps.buffer,
     score.landmarks.buffer,
   ])

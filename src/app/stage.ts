@@ -90,6 +90,7 @@ export class Stage {
     this.#rendered = state
     const isPainted = this.#picture.draw(this.scene(), state.view, paintingTime())
     this.#map.dataset.painted = String(isPainted)
+    this.#map.dataset.crowded = String(this.#picture.isCrowded)
     if (state.playing || state.run.kind === 'running' || !isPainted) this.#request()
   }
 

@@ -34,6 +34,8 @@ export class Picture {
   readonly #comparison: Sheet
   readonly #marks: Sheet
   #screen: DeviceScreen = { width: 0, height: 0, pixel: 1 }
+  #hidesEdges = false
+  #hidesVertices = false
   readonly #vertices = new SlicedIndex((columns, rows) => new VertexIndex(columns, rows))
   readonly #lines = new SlicedIndex((columns, rows) => new EdgeCover(columns, rows))
 
@@ -73,6 +75,11 @@ export class Picture {
     this.#drawComparison(scene, place, ground)
     this.#drawMarks(scene, place, ground)
     return this.#image.isComplete && isIndexed
+  }
+
+  /** Whether vertices or edges are left out because there are too many of them on the screen. */
+  get isCrowded(): boolean {
+    return this.#hidesEdges || this.#hidesVertices
   }
 
   /** Takes the canvases out of the page. */
@@ -125,7 +132,9 @@ export class Picture {
   #drawRoadmap(scene: Scene, place: Placement, ground: readonly unknown[]): void {
     const { ready } = this.#lines
     if (!this.#roadmap.isOutdated([...ground, ready])) return
-    const lines = ready?.inView(place) ?? []
+    const inView = ready?.inView(place)
+    const lines = inView ?? []
+    this.#hidesEdges = inView === null
     this.#roadmap.redraw(lines.length > 0, () =>
       drawEdges(this.#roadmap.context, place, scene.theme, lines),
     )
@@ -145,10 +154,10 @@ export class Picture {
       frame?.leaves.length,
     ]
     if (!this.#plan.isOutdated([...ground, plan?.tape, ready, ...counts])) return
+    const vertices = ready?.inView(place)
+    this.#hidesVertices = vertices === null
     this.#plan.redraw(counts.some(Boolean), () => {
-      if (!frame) return
-      const vertices = ready?.inView(place) ?? []
-      drawPlan(this.#plan.context, place, scene.theme, frame, vertices)
+      if (frame) drawPlan(this.#plan.context, place, scene.theme, frame, vertices ?? [])
     })
   }
 

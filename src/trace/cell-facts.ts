@@ -69,9 +69,7 @@ function placesOf(list: CellList, cell: Cell): number[] {
 
 function edgesAt({ edges }: Frame, cell: Cell): number {
   let count = 0
-  for (let i = 0; i + 1 < edges.length; i += 2) {
-    if (edges[i] === cell || edges[i + 1] === cell) count++
-  }
+  for (let i = edges.indexOf(cell); i >= 0; i = edges.indexOf(cell, i + 1)) count++
   return count
 }
 

@@ -12,12 +12,17 @@ import {
   SEARCH,
   SEARCH_BITS,
 } from './frame'
+import { LongList } from './long-list'
 import type { TapeColumns } from './tape'
 
 /** Folds the events from `frame.time` up to `time` into the frame. */
 export function advance(frame: Frame, tape: TapeColumns, time: number): void {
   const end = Math.min(time, tape.length)
-  for (let i = frame.time; i < end; i++) fold(frame, tape, i)
+  const vertices = new LongList(frame.vertices)
+  const edges = new LongList(frame.edges)
+  for (let i = frame.time; i < end; i++) fold(frame, tape, i, vertices, edges)
+  frame.vertices = vertices.cells
+  frame.edges = edges.cells
   if (end > 0) frame.line = tape.lines[end - 1]
   frame.time = end
 }
@@ -29,7 +34,13 @@ export function frameAt(tape: TapeColumns, time: number): Frame {
   return frame
 }
 
-function fold(frame: Frame, tape: TapeColumns, i: number): void {
+function fold(
+  frame: Frame,
+  tape: TapeColumns,
+  i: number,
+  vertices: LongList,
+  edges: LongList,
+): void {
   const cell = tape.cells[i]
   const other = tape.others[i]
   const value = tape.values[i]
@@ -46,11 +57,11 @@ function fold(frame: Frame, tape: TapeColumns, i: number): void {
       frame.test = { cell, obstacle: other, passed: value === 1 }
       break
     case EVENT.vertex:
-      push(frame.vertices, cell)
+      vertices.push(cell)
       break
     case EVENT.edge:
-      push(frame.edges, cell)
-      push(frame.edges, other)
+      edges.push(cell)
+      edges.push(other)
       frame.refusal = null
       break
     case EVENT.refuse:

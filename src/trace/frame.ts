@@ -71,9 +71,10 @@ export interface Frame {
   /** The latest test for a corner, and the latest pair of vertices that got no edge. */
   test: Test | null
   refusal: Refusal | null
-  readonly vertices: CellList
+  /** Of these there may be millions: each list begins its buffer, and `LongList` adds to it. */
+  vertices: Int32Array
   /** Pairs of cells, one after the other. */
-  readonly edges: CellList
+  edges: Int32Array
   readonly mLine: CellList
   readonly hits: CellList
   readonly leaves: CellList
@@ -109,8 +110,8 @@ export function firstFrame({ width, height }: TapeColumns): Frame {
     field: null,
     test: null,
     refusal: null,
-    vertices: [],
-    edges: [],
+    vertices: new Int32Array(0),
+    edges: new Int32Array(0),
     mLine: [],
     hits: [],
     leaves: [],
@@ -139,8 +140,6 @@ export function copyOf(frame: Frame): Frame {
     ...frame,
     cells: frame.cells.slice(),
     fields,
-    vertices: unpacked(frame.vertices),
-    edges: unpacked(frame.edges),
     mLine: unpacked(frame.mLine),
     hits: unpacked(frame.hits),
     leaves: unpacked(frame.leaves),
@@ -159,12 +158,10 @@ function unpacked(list: CellList): Cell[] {
   return cells
 }
 
-/** The same frame with its lists packed: millions of cells are handed over without a copy. */
+/** The same frame with its lists packed: many cells are handed over without a copy. */
 export function packed(frame: Frame): Frame {
   return {
     ...frame,
-    vertices: new Int32Array(frame.vertices),
-    edges: new Int32Array(frame.edges),
     mLine: new Int32Array(frame.mLine),
     hits: new Int32Array(frame.hits),
     leaves: new Int32Array(frame.leaves),

@@ -23,7 +23,8 @@ describe('what is shown only while it is the current thing', () => {
 
   it('is the latest edge, until anything else happens', () => {
     const tape = tapeOf(problem, 'visibility-graph')
-    const at = (time: number) => latestEdge(sceneOf(problem, { plan: momentOf(tape, time) }))
+    const at = (time: number) =>
+      Array.from(latestEdge(sceneOf(problem, { plan: momentOf(tape, time) })))
     const first = tape.kinds.indexOf(EVENT.edge)
     expect(at(first)).toEqual([])
     expect(at(first + 1)).toEqual([tape.cells[first], tape.others[first]])

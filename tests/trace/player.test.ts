@@ -56,8 +56,8 @@ function picture(list: readonly Event[]): Frame {
     cells: Uint8Array.from(
       search.map((state, cell) => state | (known[cell] << KNOWN_SHIFT) | felt[cell]),
     ),
-    vertices: cells(EVENT.vertex),
-    edges: all(EVENT.edge).flatMap((e) => [e.cell, e.other]),
+    vertices: Int32Array.from(cells(EVENT.vertex)),
+    edges: Int32Array.from(all(EVENT.edge).flatMap((e) => [e.cell, e.other])),
     mLine: cells(EVENT.mLine),
     hits: cells(EVENT.hit),
     leaves: cells(EVENT.leave),

@@ -27,7 +27,7 @@ export function drawEdges(pen: Pen, place: Placement, theme: Theme, lines: Cells
 }
 
 /** Of more vertices than this, those that would cover each other are drawn once. */
-const CROWD = 20_000
+const CROWD = 10_000
 
 export function drawVertices(pen: Pen, place: Placement, theme: Theme, vertices: Cells): void {
   const radius = inProportion(place, 0.14, 1.5, 5)
