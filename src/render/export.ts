@@ -7,7 +7,7 @@ import { drawBorder } from './layers/border'
 import { drawComparison } from './layers/comparison'
 import { drawEdges } from './layers/roadmap'
 import type { Pen } from './pen'
-import { MOST_IN_VIEW, type Placement, placeMap } from './placement'
+import { type Placement, placeMap } from './placement'
 import { planOnMap, type Scene } from './scene'
 import { svgCells } from './svg-cells'
 import { SvgPen, svgPaint } from './svg-pen'
@@ -25,6 +25,9 @@ const GREATEST_SIDE = 8128
 const MARGIN = 8
 /** With cells of this size, lines and marks are as wide as on the screen; they grow with larger ones. */
 const SCREEN_CELL = 32
+
+/** More vertices, or lines of a roadmap, than this are left out. */
+const MOST_DRAWN = 100_000
 
 interface WholeMap {
   readonly place: Placement
@@ -50,8 +53,8 @@ function drawUponCells(pen: Pen, place: Placement, scene: Scene, range: FieldRan
   if (frame) {
     const lines = edgeLines(place.columns, place.rows, frame.edges)
     const { vertices } = frame
-    if (lines.length <= 2 * MOST_IN_VIEW) drawEdges(pen, place, scene.theme, lines)
-    drawPlan(pen, place, scene.theme, frame, vertices.length <= MOST_IN_VIEW ? vertices : [])
+    if (lines.length <= 2 * MOST_DRAWN) drawEdges(pen, place, scene.theme, lines)
+    drawPlan(pen, place, scene.theme, frame, vertices.length <= MOST_DRAWN ? vertices : [])
   }
   drawComparison(pen, place, scene.theme, scene.comparison)
   drawMarks(pen, place, scene)
