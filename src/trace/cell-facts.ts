@@ -42,10 +42,11 @@ export function cellFacts(tape: TapeColumns, frame: Frame, cell: Cell): CellFact
   const row = Math.floor(cell / tape.width)
   const numbers = (list: CellList, kind: EventKind) =>
     list.includes(cell) ? eventsAt(tape, frame.time, cell, kind).map((i) => tape.values[i]) : []
+  const isOnRoadmap = vertices.includes(cell)
   const [node] = nodes.includes(cell) ? numbers(nodes, EVENT.node).slice(-1) : []
   return {
-    isVertex: row < rows || vertices.includes(cell),
-    edges: edgesAt(frame, cell),
+    isVertex: row < rows || isOnRoadmap,
+    edges: isOnRoadmap ? edgesAt(frame, cell) : 0,
     ...searchAt(tape, frame, cell),
     attraction: valueAt(attraction, cell),
     repulsion: valueAt(repulsion, cell),
