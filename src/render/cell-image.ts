@@ -2,8 +2,8 @@ import type { Cell } from '../grid/grid'
 import type { Field, Frame } from '../trace/frame'
 import type { TapeColumns } from '../trace/tape'
 import { type Box, GrowingBox } from './box'
-import { type CellColours, cellColours } from './cell-colour'
-import { type FieldRange, fieldRange } from './heat'
+import { cellColours } from './cell-colour'
+import { type FieldRange, fieldRange, heatPixels } from './heat'
 import { type CellStates, paintBox, paintEdits, paintEvents } from './paint-cells'
 import { planOnMap, type Scene, type Sight, sightOf } from './scene'
 import type { Theme } from './theme'
@@ -85,7 +85,7 @@ export class CellImage {
   /** Range of the field on show; `null` if none is. */
   fieldRange: FieldRange | null = null
   #painted: Painted | null = null
-  #colours: CellColours | null = null
+  #colours: Uint32Array | null = null
   #tiling: Tiling = { columns: 0, boxes: [] }
   /** Tiles that show something older than the others. */
   readonly #late = new Set<number>()
@@ -120,8 +120,8 @@ export class CellImage {
     if (tape !== before?.tape || field !== before.field) {
       this.fieldRange = tape && field ? fieldRange(tape, field) : null
     }
-    const colours = this.#colours
-    return { width, walls, frame, sight, fieldRange: this.fieldRange, colours }
+    const heat = this.fieldRange && { range: this.fieldRange, pixels: heatPixels(theme) }
+    return { width, walls, frame, sight, heat, colours: this.#colours }
   }
 
   #begin(now: Painted): void {

@@ -1,7 +1,7 @@
 import { EVENT } from '../trace/events'
 import type { Field } from '../trace/frame'
 import type { TapeColumns } from '../trace/tape'
-import { contrast, mix, type Rgb, rgbOf } from './colour'
+import { contrast, mix, pixelOf, type Rgb, rgbOf } from './colour'
 import type { Theme } from './theme'
 
 /** Least and greatest finite value of a field of potentials. */
@@ -46,6 +46,17 @@ export function heatColours({ heat }: Theme): Rgb[] {
     const stop = Math.min(Math.floor(place), stops.length - 2)
     return mix(stops[stop], stops[stop + 1], place - stop)
   })
+}
+
+const pixels = new WeakMap<Theme, Uint32Array>()
+
+/** The pixel of each level. Kept for each theme. */
+export function heatPixels(theme: Theme): Uint32Array {
+  const kept = pixels.get(theme)
+  if (kept) return kept
+  const made = Uint32Array.from(heatColours(theme), pixelOf)
+  pixels.set(theme, made)
+  return made
 }
 
 const inks = new WeakMap<Theme, readonly string[]>()
