@@ -44,6 +44,10 @@ test('very short work is repeated within a sample, very long work is done three 
   expect([count('ours'), count('peer')]).toEqual([3 + 3, 1 + 3])
 })
 
+test('where little is between the two, ten times as many samples are taken', () => {
+  expect(timeInTurn(work('ours', 5, 1), work('peer', 5, 1), true).ours).toHaveLength(150)
+})
+
 test('work is warmed up until it becomes no faster', () => {
   turns.length = 0
   const compiled = () => {
