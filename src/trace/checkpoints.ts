@@ -1,6 +1,6 @@
 import { advance } from './fold'
 import { copyOf, type Frame, firstFrame } from './frame'
-import type { TapeColumns } from './tape'
+import type { Tape } from './tape'
 
 /** Events between two checkpoints: a page folds so many within about an animation frame. */
 const SPACING = 1 << 20
@@ -19,7 +19,7 @@ export interface Folded {
   readonly checkpoints: readonly Frame[]
 }
 
-export function foldWhole(tape: TapeColumns, spacing = SPACING, beforeEnd = BEFORE_END): Folded {
+export function foldWhole(tape: Tape, spacing = SPACING, beforeEnd = BEFORE_END): Folded {
   const last = firstFrame(tape)
   const checkpoints: Frame[] = []
   let bytes = 0

@@ -1,5 +1,6 @@
 import { stepOffsets } from '../../grid/directions'
 import { allLegalSteps } from '../../grid/legal-steps'
+import type { Directions } from '../../grid/steps'
 import { EVENT } from '../../trace/events'
 import { costOfWeight, DIAGONAL_WEIGHT } from '../costs'
 import { CLOSED, DIRECTION, memoryFor, OPEN } from './memory'
@@ -26,7 +27,7 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
   states[start] = OPEN | NO_DIRECTION
   weights[start] = 0
   bucket.push(start)
-  tape?.at(lines.open).write(EVENT.open, start)
+  tape?.at(lines.start).write(EVENT.open, start)
   for (let from = 0; bucket.count + next.count > 0; from++) {
     for (let i = 0; i < bucket.count; i++) {
       const cell = bucket.cells[i]
@@ -35,11 +36,12 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
       if (state & CLOSED) continue
       states[cell] = state | CLOSED
       const weight = weights[cell]
-      if (tape) tape.at(lines.close).write(EVENT.close, cell, -1, costOfWeight(cost, weight))
       if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
       if (cell === goal) {
+        tape?.at(lines.close).write(EVENT.close, cell, 0, costOfWeight(cost, weight))
         return { path: wayBack(start, goal, memory, offsets, diagonalWeight), expanded }
       }
+      let opened: Directions = 0
       let steps = successors[((state & DIRECTION) << 8) | legal[cell]]
       while (steps !== 0) {
         const direction = 31 - Math.clz32(steps)
@@ -55,8 +57,9 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
         if (ahead === 0) bucket.push(neighbour)
         else if (ahead === 1) next.push(neighbour)
         else afterNext.push(neighbour)
-        if (tape) tape.at(lines.open).write(EVENT.open, neighbour, cell, costOfWeight(cost, longer))
+        opened |= 1 << direction
       }
+      if (tape) tape.at(lines.close).write(EVENT.close, cell, opened, costOfWeight(cost, weight))
     }
     const empty = bucket
     empty.count = 0
