@@ -35,8 +35,8 @@ function paintedFrom(scene: Scene): Painted {
 const isSameSize = (before: Painted, now: Painted): boolean =>
   now.width === before.width && now.height === before.height
 
-/** More events than this, for each cell, and it is quicker to paint the map than each event. */
-const MOST_EVENTS = 0.25
+/** More events than this, for each cell, and it is quicker to paint the map than what each tells. */
+const MOST_EVENTS = 0.125
 
 /** Some events of a tape, up to `to`. */
 interface Stretch {

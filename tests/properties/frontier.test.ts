@@ -1,6 +1,7 @@
 import { test } from 'vitest'
-import { EVENT, type Frame, Player, SEARCH, searchOf, Tape } from '../../src/index'
+import { EVENT, type Frame, frameAt, Player, SEARCH, searchOf, Tape } from '../../src/index'
 import { cellFacts } from '../../src/trace/cell-facts'
+import { momentAfter, stepsOf } from '../../src/trace/landmarks'
 import { isClose, LONG, must, onEveryMap } from '../reference/cases'
 import { CellSearch, joined, type Reached } from '../reference/cell-search'
 import { run } from '../reference/run'
@@ -13,7 +14,12 @@ function estimate([ax, ay]: XY, [bx, by]: XY): Way {
   return { steps: Math.max(across, down), diagonals: Math.min(across, down) }
 }
 
-/** Of all open cells the next one comes first; with Dijkstra's buckets by whole numbers of cost. */
+const costOf = (way: Way, cost: CostName) => (cost === 'cells' ? way.steps : lengthOf(way))
+
+/**
+ * Of all open cells the next one comes first; with Dijkstra's buckets by whole numbers of cost.
+ * Returns the least cost of a path over it.
+ */
 function mustComeFirst(
   name: string,
   world: World,
@@ -21,11 +27,11 @@ function mustComeFirst(
   next: XY,
   cost: CostName,
   isStarred: boolean,
-): void {
+): number {
   const chosen = reached.get(String(next))
   must(chosen !== undefined && !chosen.isClosed, () => `${name}: closes ${next}, which is not open`)
   const whole = ({ way, cell }: Reached) => joined(way, estimate(cell, world.goal))
-  const bucket = ({ way }: Reached) => Math.floor(cost === 'cells' ? way.steps : lengthOf(way))
+  const bucket = ({ way }: Reached) => Math.floor(costOf(way, cost))
   for (const other of reached.values()) {
     if (other.isClosed) continue
     const isBefore = isStarred
@@ -33,6 +39,7 @@ function mustComeFirst(
       : bucket(other) < bucket(chosen)
     must(!isBefore, () => `${name}: closes ${next} before ${other.cell}`)
   }
+  return costOf(whole(chosen), cost)
 }
 
 /** The cells that the frame shows open and closed are those that are. */
@@ -63,7 +70,7 @@ function mustTellWays(
   for (const { cell, way, before } of search.reached.values()) {
     const number = ([x, y]: XY) => y * world.width + x
     const { cost, parent } = cellFacts(tape, frame, number(cell))
-    const expected = costName === 'cells' ? way.steps : lengthOf(way)
+    const expected = costOf(way, costName)
     must(
       cost !== null && isClose(cost, expected) && parent === (before ? number(before) : -1),
       () => `${name}: ${cell} costs ${cost} by way of ${parent}, not ${expected} over ${before}`,
@@ -82,12 +89,20 @@ test('the open and the closed cells of a search are those that are, at each step
         const { name } = run(world, 'decomposition', { cost, search }, tape)
         const reference = new CellSearch(world, cost)
         const player = new Player(tape)
+        const steps = stepsOf(tape)
         let closed = 0
         for (let i = 0; i < tape.length; i++) {
           if (tape.kind(i) !== EVENT.close) continue
           const [cell] = placesOf(world, [tape.cell(i)])
           mustShow(name, world, player.moveTo(i), reference)
-          mustComeFirst(name, world, reference, cell, cost, search === 'a-star')
+          const isStarred = search === 'a-star'
+          const least = mustComeFirst(name, world, reference, cell, cost, isStarred)
+          const end = momentAfter(steps, i)
+          const [told] = frameAt(tape, end).values
+          must(
+            isStarred ? isClose(told, least) : told === undefined,
+            () => `${name}: ${told} is told of ${cell}, not ${least}`,
+          )
           if (String(cell) === String(world.goal)) {
             must(tape.other(i) === 0, () => `${name}: goes on behind the goal`)
             break
