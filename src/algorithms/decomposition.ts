@@ -66,21 +66,27 @@ export const decomposition = offlinePlanner({
 /** The cells of the map become the vertices of a graph, row by row. */
 function recordGraph({ grid: { width, walls } }: Problem, tape: Tape): void {
   tape.at(line.graph).write(EVENT.phase, -1, 0)
-  const isAligned = walls.byteOffset % Uint32Array.BYTES_PER_ELEMENT === 0
+  const isAligned = walls.byteOffset % Int32Array.BYTES_PER_ELEMENT === 0
   const { buffer, byteOffset, length } = isAligned ? walls : walls.slice()
-  const fours = new Uint32Array(buffer, byteOffset, length >> 2)
+  const fours = new Int32Array(buffer, byteOffset, length >> 2)
   for (let first = 0; first < length; first += width) {
     tape.write(EVENT.row, first, width - countObstacles(walls, fours, first, first + width))
   }
 }
 
 /** Obstacles from one cell up to another. `fours` has four cells of `walls` in a word, a byte each. */
-function countObstacles(walls: Uint8Array, fours: Uint32Array, from: Cell, to: Cell): number {
+function countObstacles(walls: Uint8Array, fours: Int32Array, from: Cell, to: Cell): number {
   let count = 0
   let cell = from
   for (; cell < to && (cell & 3) !== 0; cell++) count += walls[cell]
-  // The product has the sum of the bytes in its highest one.
-  for (; cell + 4 <= to; cell += 4) count += Math.imul(fours[cell >> 2], 0x01010101) >>> 24
+  while (cell + 4 <= to) {
+    // So many words add up without a carry from byte to byte, and so do their four bytes then.
+    const end = Math.min(to >> 2, (cell >> 2) + 63)
+    let sums = 0
+    for (let i = cell >> 2; i < end; i++) sums += fours[i]
+    count += Math.imul(sums, 0x01010101) >>> 24
+    cell = end << 2
+  }
   for (; cell < to; cell++) count += walls[cell]
   return count
 }
