@@ -53,14 +53,15 @@ const introduction = (machine: string): string => `# How fast
 This page is written by \`npm run bench -- --docs\`. The bench runs our planners and those of other
 libraries in turn (A B A B) in one process: ours as the built library, from a plain array of obstacles
 to the checked answer; theirs with what they need anew for each query, such as a copy of a grid that
-serves one query only, but without what they can keep. Ours keep the legal steps of the map before, and
-each query pays for comparing the maps cell by cell. All answers are compared before anything is timed. Times are medians; the ratio is the median of the ratios of neighbouring
+serves one query only, but without what they can keep. Ours keep what they found out about the map before, its legal steps and
+how far straight ways lead on it, and each query pays for comparing the maps cell by cell. All answers are compared before anything is timed. Times are medians; the ratio is the median of the ratios of neighbouring
 samples, beside its quartiles.
 
 Measured with ${machine}. The ratios say more than the times: they hold on other machines too.
 
 Maps come from this project's generators: \`random\` has 20 % obstacles, \`rooms\` and \`maze\` are the
-defaults, \`open\` has no obstacle. Starts and goals are random, at least three quarters of the longer
+defaults (rooms of at least 5 cells a side, corridors 1 cell wide), \`large rooms\` are of at least 30
+cells a side, the corridors of a \`wide maze\` are 8 cells wide, \`open\` has no obstacle. Starts and goals are random, at least three quarters of the longer
 side apart, and joined by a path. The diagonal rule is \`only-when-no-obstacles\`; the cost is
 \`euclidean\` if nothing else is said.`
 

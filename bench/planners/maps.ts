@@ -6,7 +6,9 @@ import { Flood } from './plain/flood'
 
 export const RULE = 'only-when-no-obstacles'
 export const MAP_KINDS = ['random', 'rooms', 'maze', 'open'] as const
-export type MapKind = (typeof MAP_KINDS)[number]
+/** Rooms and mazes as large maps have them; the generators' defaults suit a map of 60×40. */
+export const WIDE_KINDS = ['large rooms', 'wide maze'] as const
+export type MapKind = (typeof MAP_KINDS)[number] | (typeof WIDE_KINDS)[number]
 
 export interface Query {
   readonly start: Cell
@@ -23,8 +25,10 @@ export interface BenchMap {
   readonly queries: readonly Query[]
 }
 
-/** With the generators' own defaults, but for the density of random maps. */
+/** All else are the generators' own defaults. */
 const DENSITY = 20
+const LARGE_ROOM = 30
+const WIDE_CORRIDOR = 8
 
 /** Made anew each time it is asked for, so that maps that are done with can be forgotten. */
 export function generatedMap(kind: MapKind, size: Size, seed: number, queries: number): BenchMap {
@@ -39,11 +43,41 @@ export function generatedMap(kind: MapKind, size: Size, seed: number, queries: n
 }
 
 function gridOf(kind: MapKind, size: Size, seed: number): Grid {
-  if (kind === 'open') return emptyGrid(size.width, size.height)
-  const generator = generators.find(({ id }) => id === kind)
-  if (!generator) throw new Error(`There is no generator ${kind}.`)
-  const params: Record<string, number> = kind === 'random' ? { density: DENSITY } : {}
+  switch (kind) {
+    case 'open':
+      return emptyGrid(size.width, size.height)
+    case 'random':
+      return generated('random', size, seed, { density: DENSITY })
+    case 'large rooms':
+      return generated('rooms', size, seed, { room: LARGE_ROOM })
+    case 'wide maze':
+      return widened('maze', size, seed)
+    default:
+      return generated(kind, size, seed)
+  }
+}
+
+function generated(
+  id: string,
+  size: Size,
+  seed: number,
+  params: Readonly<Record<string, number>> = {},
+): Grid {
+  const generator = generators.find((candidate) => candidate.id === id)
+  if (!generator) throw new Error(`There is no generator ${id}.`)
   return generator.generate(size, params, seed, RULE).grid
+}
+
+/** A smaller map of which each cell is made a square. */
+function widened(id: string, { width, height }: Size, seed: number): Grid {
+  const share = (side: number) => Math.ceil(side / WIDE_CORRIDOR)
+  const small = generated(id, { width: share(width), height: share(height) }, seed)
+  const walls = Uint8Array.from({ length: width * height }, (_, cell) => {
+    const x = Math.floor((cell % width) / WIDE_CORRIDOR)
+    const y = Math.floor(Math.floor(cell / width) / WIDE_CORRIDOR)
+    return small.walls[y * small.width + x]
+  })
+  return { width, height, walls }
 }
 
 /** Two random free cells joined by a path, at least three quarters of the longer side apart. */

@@ -4,7 +4,7 @@ import { fieldCase } from './cases/fields'
 import { roadmapCases, visibilityCase } from './cases/roadmaps'
 import { type SearchTargets, searchCases } from './cases/searches'
 import { tapeCases } from './cases/tapes'
-import { type BenchMap, generatedMap, MAP_KINDS, type MapKind } from './maps'
+import { type BenchMap, generatedMap, MAP_KINDS, type MapKind, WIDE_KINDS } from './maps'
 import { allPeers, sturdyPeers } from './peers/all'
 import type { Peer } from './peers/peer'
 
@@ -19,16 +19,16 @@ export interface Part {
 }
 
 const SIZES = [
-  { width: 60, height: 40, queries: 8 },
-  { width: 200, height: 200, queries: 4 },
-  { width: 1000, height: 1000, queries: 2 },
+  { width: 60, height: 40, queries: 8, kinds: MAP_KINDS },
+  { width: 200, height: 200, queries: 4, kinds: MAP_KINDS },
+  { width: 1000, height: 1000, queries: 2, kinds: [...MAP_KINDS, ...WIDE_KINDS] },
 ] as const
 
 const SEED = 1
 
 /** All maps that are timed. */
 export const parts: readonly Part[] = SIZES.flatMap((size) =>
-  MAP_KINDS.map((kind): Part => {
+  size.kinds.map((kind): Part => {
     const isLarge = size.width === 1000
     return {
       name: `${kind} ${size.width}×${size.height}`,

@@ -1,6 +1,6 @@
 import { InputError } from '../grid/errors'
 import { cellName } from '../grid/grid'
-import { firstIllegalStep, measurePath, type PathMeasure, stepDirections } from '../grid/path'
+import { firstIllegalStep, measurePath, type PathMeasure } from '../grid/path'
 import { checkProblem, type Problem } from '../grid/problem'
 import { randomNumbers } from '../grid/random'
 import { DriveNotes } from '../rover/drive-notes'
@@ -62,12 +62,10 @@ export function plan(problem: Problem, plannerId: string, options: PlanOptions =
   const context = { params, random: randomNumbers(seed), tape, progress }
   const answer = run(problem, planner, context)
   const { status, reason, path, expanded, sensed } = answer
-  const { width } = problem.grid
-  const directions = stepDirections(width, path)
-  checkAnswer(problem, planner, params, answer, directions)
+  checkAnswer(problem, planner, params, answer)
   tape?.write(EVENT.end, path.at(-1), STATUSES.indexOf(status))
-  const measure = measurePath(width, path, directions)
-  const cost = costOfSteps === 'euclidean' ? measure.length : directions.length
+  const measure = measurePath(problem.grid.width, path)
+  const cost = costOfSteps === 'euclidean' ? measure.length : Math.max(0, path.length - 1)
   return { status, reason, path, cost, measure, expanded, sensed }
 }
 
@@ -90,18 +88,12 @@ function run(
 }
 
 /** A planner that answers what is not true has a bug: better no answer than a wrong one. */
-function checkAnswer(
-  problem: Problem,
-  planner: AnyPlanner,
-  params: Values,
-  answer: Answer,
-  directions: Int8Array,
-): void {
+function checkAnswer(problem: Problem, planner: AnyPlanner, params: Values, answer: Answer): void {
   const { path, status } = answer
   const bug = (what: string) => new Error(`Bug in planner ${planner.id}: ${what}.`)
   if (path.length > 0 && path[0] !== problem.start)
     throw bug('the path does not begin at the start')
-  const illegal = firstIllegalStep(problem, path, directions)
+  const illegal = firstIllegalStep(problem, path)
   if (illegal > 0) {
     const { width } = problem.grid
     const step = `${cellName(width, path[illegal - 1])} to ${cellName(width, path[illegal])}`

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { acrossAll, generatedMap, MAP_KINDS } from '../../bench/planners/maps'
+import { acrossAll, generatedMap, MAP_KINDS, WIDE_KINDS } from '../../bench/planners/maps'
 import { leastCost } from '../../bench/planners/plain/dijkstra'
 import { Flood } from '../../bench/planners/plain/flood'
 import { Heap } from '../../bench/planners/plain/heap'
@@ -114,21 +114,24 @@ test('the way over edges is as long as their simplest paths', () => {
   expect(leastOverEdges(10, edges, 0, 99)).toBe(Number.POSITIVE_INFINITY)
 })
 
-test.each(MAP_KINDS)('starts and goals on %s maps are far apart and joined', (kind) => {
-  const size = { width: 60, height: 40 }
-  const map = generatedMap(kind, size, 3, 5)
-  expect(generatedMap(kind, size, 3, 5)).toEqual(map)
-  for (const { start, goal } of map.queries) {
-    const apart = Math.max(
-      Math.abs((start % 60) - (goal % 60)),
-      Math.abs(Math.floor(start / 60) - Math.floor(goal / 60)),
-    )
-    expect(apart).toBeGreaterThanOrEqual(45)
-    expect(leastCost(map.grid, { start, goal }, 1)).toBeLessThan(Number.POSITIVE_INFINITY)
-  }
-  const { start } = map.queries[0]
-  const across = acrossAll(map.grid, start)
-  const fromEnd = new Flood(map.grid)
-  const count = fromEnd.run(across.start)
-  expect(fromEnd.reached(count).at(-1)).toBe(across.goal)
-})
+test.each([...MAP_KINDS, ...WIDE_KINDS])(
+  'starts and goals on %s maps are far apart and joined',
+  (kind) => {
+    const size = { width: 60, height: 40 }
+    const map = generatedMap(kind, size, 3, 5)
+    expect(generatedMap(kind, size, 3, 5)).toEqual(map)
+    for (const { start, goal } of map.queries) {
+      const apart = Math.max(
+        Math.abs((start % 60) - (goal % 60)),
+        Math.abs(Math.floor(start / 60) - Math.floor(goal / 60)),
+      )
+      expect(apart).toBeGreaterThanOrEqual(45)
+      expect(leastCost(map.grid, { start, goal }, 1)).toBeLessThan(Number.POSITIVE_INFINITY)
+    }
+    const { start } = map.queries[0]
+    const across = acrossAll(map.grid, start)
+    const fromEnd = new Flood(map.grid)
+    const count = fromEnd.run(across.start)
+    expect(fromEnd.reached(count).at(-1)).toBe(across.goal)
+  },
+)

@@ -8,7 +8,7 @@ import { Jumps } from './jumps'
 import { CLOSED, DIRECTION, memoryFor, OPEN } from './memory'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
 import { NO_DIRECTION, SUCCESSORS } from './successors'
-import { wayBack } from './way-back'
+import { wayBack, wayBackOverJumps } from './way-back'
 
 /**
  * A* with the weight of the simplest path to the goal as its estimate. No path weighs less, so the
@@ -37,7 +37,9 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
   const estimate = weightsTo(goal, cost, grid.width)
   const memory = memoryFor(cells)
   const { states, weights } = memory
-  const jumps = jumping ? new Jumps(legal, successors, offsets, diagonalWeight, goal, memory) : null
+  const jumps = jumping
+    ? new Jumps(legal, successors, offsets, diagonalWeight, problem, memory)
+    : null
   const { openCells } = memory
   let expanded = 0
   states[start] = OPEN | NO_DIRECTION
@@ -61,7 +63,10 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
     if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
     if (jumps || cell === goal) recordClosed(cell, 0, weight)
     if (cell === goal) {
-      return { path: wayBack(start, goal, memory, offsets, diagonalWeight), expanded }
+      const path = jumping
+        ? wayBackOverJumps(start, goal, memory, offsets, diagonalWeight)
+        : wayBack(start, goal, memory, offsets)
+      return { path, expanded }
     }
     let opened: Directions = 0
     let steps = successors[((state & DIRECTION) << 8) | legal[cell]]

@@ -9,6 +9,13 @@ import { NO_DIRECTION, SUCCESSORS } from './successors'
 import { wayBack } from './way-back'
 
 /**
+ * A unit of weight. Weights are kept as whole numbers modulo 2^32: those of cells that wait differ by
+ * less than three units, so their difference still tells which one is less, and half as much memory
+ * goes through the processor.
+ */
+const UNIT = 1 << 29
+
+/**
  * Dijkstra's algorithm without a heap: cells wait in buckets one unit of weight wide. No step weighs
  * less than that, so the cells of one bucket cannot improve each other, any order among them is
  * right, and three buckets in turn hold all that wait. (R. B. Dial, 1969.)
@@ -19,16 +26,17 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
   const legal = allLegalSteps(grid, diagonal)
   const successors = SUCCESSORS[diagonal]
   const offsets = stepOffsets(grid.width)
-  const diagonalWeight = DIAGONAL_WEIGHT[cost]
+  const diagonalWeight = (DIAGONAL_WEIGHT[cost] * UNIT) | 0
   const memory = memoryFor(cells)
-  const { states, weights } = memory
+  const { states, wholeWeights: weights } = memory
   let [bucket, next, afterNext] = memory.buckets
   let expanded = 0
   states[start] = OPEN | NO_DIRECTION
   weights[start] = 0
   bucket.push(start)
   tape?.at(lines.start).write(EVENT.open, start)
-  for (let from = 0; bucket.count + next.count > 0; from++) {
+  for (let units = 0; bucket.count + next.count > 0; units++) {
+    const least = units << 29
     for (let i = 0; i < bucket.count; i++) {
       const cell = bucket.cells[i]
       const state = states[cell]
@@ -38,8 +46,10 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
       const weight = weights[cell]
       if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
       if (cell === goal) {
-        tape?.at(lines.close).write(EVENT.close, cell, 0, costOfWeight(cost, weight))
-        return { path: wayBack(start, goal, memory, offsets, diagonalWeight), expanded }
+        tape
+          ?.at(lines.close)
+          .write(EVENT.close, cell, 0, costOfWeight(cost, units + (weight - least) / UNIT))
+        return { path: wayBack(start, goal, memory, offsets), expanded }
       }
       let opened: Directions = 0
       let steps = successors[((state & DIRECTION) << 8) | legal[cell]]
@@ -49,17 +59,19 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
         const neighbour = cell + offsets[direction]
         const known = states[neighbour]
         if (known & CLOSED) continue
-        const longer = weight + (direction & 1 ? diagonalWeight : 1)
-        if (known !== 0 && longer >= weights[neighbour]) continue
+        const longer = (weight + (direction & 1 ? diagonalWeight : UNIT)) | 0
+        if (known !== 0 && ((longer - weights[neighbour]) | 0) >= 0) continue
         states[neighbour] = OPEN | direction
         weights[neighbour] = longer
-        const ahead = Math.floor(longer) - from
-        if (ahead === 0) bucket.push(neighbour)
-        else if (ahead === 1) next.push(neighbour)
+        const more = (longer - least) | 0
+        if (more < 2 * UNIT) next.push(neighbour)
         else afterNext.push(neighbour)
         opened |= 1 << direction
       }
-      if (tape) tape.at(lines.close).write(EVENT.close, cell, opened, costOfWeight(cost, weight))
+      if (tape)
+        tape
+          .at(lines.close)
+          .write(EVENT.close, cell, opened, costOfWeight(cost, units + (weight - least) / UNIT))
     }
     const empty = bucket
     empty.count = 0

@@ -1,5 +1,7 @@
 import type { Direction } from '../../grid/directions'
 import type { Cell } from '../../grid/grid'
+import type { Problem } from '../../grid/problem'
+import { Diagonals } from './diagonals'
 import { type Memory, OPEN } from './memory'
 
 /** Looks from a cell along its ways for the next cell where a shortest path may turn. */
@@ -13,21 +15,23 @@ export class Jumps {
   readonly #diagonalWeight: number
   readonly #goal: Cell
   readonly #memory: Memory
+  readonly #diagonals: Diagonals
 
   constructor(
     legal: Uint8Array,
     successors: Uint8Array,
     offsets: Int32Array,
     diagonalWeight: number,
-    goal: Cell,
+    problem: Problem,
     memory: Memory,
   ) {
     this.#legal = legal
     this.#successors = successors
     this.#offsets = offsets
     this.#diagonalWeight = diagonalWeight
-    this.#goal = goal
+    this.#goal = problem.goal
     this.#memory = memory
+    this.#diagonals = new Diagonals(legal, successors, offsets, problem)
   }
 
   /**
@@ -40,10 +44,10 @@ export class Jumps {
     let d = direction
     let length = weight
     for (;;) {
-      const next = d & 1 ? this.#diagonally(cell, d) : this.#straight(cell, d)
-      if (next < 0) return -1
-      length += ((next - cell) / this.#offsets[d]) * (d & 1 ? this.#diagonalWeight : 1)
-      cell = next
+      const steps = d & 1 ? this.#diagonals.steps(cell, d) : this.#straight(cell, d)
+      if (steps === 0) return -1
+      length += steps * (d & 1 ? this.#diagonalWeight : 1)
+      cell += steps * this.#offsets[d]
       const ways = this.#successors[(d << 8) | this.#legal[cell]]
       if (cell === this.#goal || (ways & (ways - 1)) !== 0) break
       if (states[cell] !== 0 && length >= weights[cell]) return -1
@@ -56,8 +60,8 @@ export class Jumps {
     return cell
   }
 
-  /** The first cell with another way than onward, or the goal; -1 if the way ends before. */
-  #straight(from: Cell, d: Direction): Cell {
+  /** Steps to the first cell with another way than onward, or to the goal; 0 if the way ends before. */
+  #straight(from: Cell, d: Direction): number {
     const legal = this.#legal
     const successors = this.#successors
     const goal = this.#goal
@@ -65,35 +69,14 @@ export class Jumps {
     const row = d << 8
     const onward = 1 << d
     let cell = from
+    let steps = 0
     let ways = onward
     while (ways === onward) {
       cell += offset
-      if (cell === goal) return cell
+      steps++
+      if (cell === goal) return steps
       ways = successors[row | legal[cell]]
     }
-    return ways === 0 ? -1 : cell
-  }
-
-  /** The first cell round an obstacle's corner, or with a jump point straight to a side; or the goal. */
-  #diagonally(from: Cell, d: Direction): Cell {
-    const legal = this.#legal
-    const successors = this.#successors
-    const goal = this.#goal
-    const offset = this.#offsets[d]
-    const row = d << 8
-    const onward = 1 << d
-    const left = (d + 7) & 7
-    const right = (d + 1) & 7
-    const natural = onward | (1 << left) | (1 << right)
-    let cell = from
-    let ways = onward
-    while ((ways & onward) !== 0) {
-      cell += offset
-      ways = successors[row | legal[cell]]
-      if (cell === goal || (ways & ~natural) !== 0) return cell
-      if ((ways >> left) & 1 && this.#straight(cell, left) >= 0) return cell
-      if ((ways >> right) & 1 && this.#straight(cell, right) >= 0) return cell
-    }
-    return -1
+    return ways === 0 ? 0 : steps
   }
 }

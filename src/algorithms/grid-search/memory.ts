@@ -13,6 +13,8 @@ export interface Memory {
   readonly states: Uint8Array
   /** Weight of the best path known to each cell that was reached; anything for the others. */
   readonly weights: Float64Array
+  /** The same memory for weights that are whole numbers. */
+  readonly wholeWeights: Int32Array
   /** Empty ones. */
   readonly buckets: readonly [Bucket, Bucket, Bucket]
   /** To be begun. */
@@ -40,9 +42,11 @@ export function memoryFor(cells: number): Memory {
 }
 
 function newMemory(cells: number): Memory {
+  const weights = new Float64Array(cells)
   return {
     states: new Uint8Array(cells),
-    weights: new Float64Array(cells),
+    weights,
+    wholeWeights: new Int32Array(weights.buffer),
     buckets: [new Bucket(), new Bucket(), new Bucket()],
     openCells: new OpenCells(),
   }

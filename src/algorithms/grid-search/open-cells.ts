@@ -1,5 +1,6 @@
 import FlatQueue from 'flatqueue'
 import type { Cell } from '../../grid/grid'
+import { Bucket } from './bucket'
 
 const SLOTS = 1 << 10
 const ROOM = 1 << 10
@@ -15,6 +16,8 @@ const NONE = -1
 export class OpenCells {
   /** The weight of the cell that was taken out last. */
   least = 0
+  /** Cells of the least weight that were put in while it was the least. */
+  readonly #latest = new Bucket()
   /** What is left of the chain of the least weight. */
   #chain = NONE
   readonly #heads = new FlatQueue<number>()
@@ -30,6 +33,7 @@ export class OpenCells {
   /** Only `first` is open, and it weighs so much. */
   begin(first: Cell, weight: number): void {
     this.least = weight
+    this.#latest.count = 0
     this.#chain = NONE
     this.#heads.clear()
     this.#weights.fill(Number.NaN)
@@ -39,12 +43,11 @@ export class OpenCells {
   }
 
   push(cell: Cell, weight: number): void {
-    const link = this.#newLink(cell)
     if (weight === this.least) {
-      this.#next[link] = this.#chain
-      this.#chain = link
+      this.#latest.push(cell)
       return
     }
+    const link = this.#newLink(cell)
     const slot = slotOf(weight)
     if (this.#weights[slot] === weight) {
       const head = this.#headOf[slot]
@@ -61,6 +64,8 @@ export class OpenCells {
 
   /** Takes out the first of the cells; -1 if there is none. */
   pop(): Cell {
+    const latest = this.#latest
+    if (latest.count > 0) return latest.cells[--latest.count]
     let link = this.#chain
     if (link === NONE) {
       const least = this.#heads.peekValue()
@@ -91,11 +96,8 @@ export class OpenCells {
   }
 }
 
-/** Weights below 2^23, in multiples of 2^-30: both their parts tell them apart. */
-function slotOf(weight: number): number {
-  const whole = weight | 0
-  return (whole * 1021 + (((weight - whole) * 2 ** 23) | 0)) & (SLOTS - 1)
-}
+/** Weights are multiples of 2^-30 that seldom differ in the last bits only: other bits tell them apart. */
+const slotOf = (weight: number): number => ((weight * (2 ** 23 + 509)) | 0) & (SLOTS - 1)
 
 function doubled(array: Int32Array<ArrayBuffer>): Int32Array<ArrayBuffer> {
   const more = new Int32Array(2 * array.length)
