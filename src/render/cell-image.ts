@@ -1,6 +1,6 @@
 import type { Cell } from '../grid/grid'
 import type { Field, Frame } from '../trace/frame'
-import type { TapeColumns } from '../trace/tape'
+import type { Tape } from '../trace/tape'
 import { type Box, GrowingBox } from './box'
 import { cellColours } from './cell-colour'
 import { type FieldRange, fieldRange, heatPixels } from './heat'
@@ -15,7 +15,7 @@ interface Painted {
   readonly height: number
   readonly walls: Uint8Array
   readonly theme: Theme
-  readonly tape: TapeColumns | null
+  readonly tape: Tape | null
   readonly time: number
   readonly sight: Sight
   /** The field on show. */
@@ -35,12 +35,12 @@ function paintedFrom(scene: Scene): Painted {
 const isSameSize = (before: Painted, now: Painted): boolean =>
   now.width === before.width && now.height === before.height
 
-/** More events than this, for each cell, and it is quicker to paint the map than each event. */
-const MOST_EVENTS = 0.25
+/** More events than this, for each cell, and it is quicker to paint the map than what each tells. */
+const MOST_EVENTS = 0.125
 
 /** Some events of a tape, up to `to`. */
 interface Stretch {
-  readonly tape: TapeColumns
+  readonly tape: Tape
   readonly from: number
   readonly to: number
 }

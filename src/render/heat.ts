@@ -1,6 +1,6 @@
 import { EVENT } from '../trace/events'
 import type { Field } from '../trace/frame'
-import type { TapeColumns } from '../trace/tape'
+import type { Tape } from '../trace/tape'
 import { contrast, mix, pixelOf, type Rgb, rgbOf } from './colour'
 import type { Theme } from './theme'
 
@@ -13,14 +13,13 @@ export interface FieldRange {
 export const HEAT_LEVELS = 256
 
 /** The range of a field over the whole tape; `null` if it has no finite value. */
-export function fieldRange(tape: TapeColumns, field: Field): FieldRange | null {
+export function fieldRange(tape: Tape, field: Field): FieldRange | null {
   let min = Number.POSITIVE_INFINITY
   let max = Number.NEGATIVE_INFINITY
-  const { kinds, values, length } = tape
   const kind = EVENT[field]
-  for (let i = 0; i < length; i++) {
-    if (kinds[i] !== kind) continue
-    const value = values[i]
+  for (let i = 0; i < tape.length; i++) {
+    if (tape.kind(i) !== kind) continue
+    const value = tape.value(i)
     if (!Number.isFinite(value)) continue
     if (value < min) min = value
     if (value > max) max = value

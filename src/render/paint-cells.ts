@@ -1,8 +1,9 @@
+import { stepOffsets } from '../grid/directions'
 import { editedCells } from '../grid/edits'
 import type { Cell } from '../grid/grid'
 import { EVENT } from '../trace/events'
 import type { Frame } from '../trace/frame'
-import type { TapeColumns } from '../trace/tape'
+import type { Tape } from '../trace/tape'
 import type { Box } from './box'
 import { isShownObstacle, stateOf } from './cell-colour'
 import { type FieldRange, heatLevel } from './heat'
@@ -70,19 +71,30 @@ for (const kind of [
 export function paintEvents(
   pixels: Uint32Array,
   states: CellStates,
-  { kinds, cells }: TapeColumns,
+  tape: Tape,
   from: number,
   to: number,
   painted: (cell: Cell) => void,
 ): void {
-  for (let i = from; i < to; i++) {
-    const cell = cells[i]
-    if (isPainted[kinds[i]] === 0 || cell < 0) continue
+  const offsets = stepOffsets(tape.width)
+  const paint = (cell: Cell) => {
     const pixel = cellPixel(states, cell)
     // Many an event changes nothing that is seen: a cell is opened again, or closed by now.
-    if (pixels[cell] === pixel && !states.heat) continue
+    if (pixels[cell] === pixel && !states.heat) return
     pixels[cell] = pixel
     painted(cell)
+  }
+  for (let i = from; i < to; i++) {
+    const kind = tape.kind(i)
+    const cell = tape.cell(i)
+    if (isPainted[kind] === 0 || cell < 0) continue
+    paint(cell)
+    if (kind !== EVENT.close) continue
+    for (let left = tape.other(i); left > 0; ) {
+      const direction = 31 - Math.clz32(left)
+      left ^= 1 << direction
+      paint(cell + offsets[direction])
+    }
   }
 }
 

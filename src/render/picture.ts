@@ -1,5 +1,5 @@
 import type { Cell } from '../grid/grid'
-import type { TapeColumns } from '../trace/tape'
+import type { Tape } from '../trace/tape'
 import type { Box } from './box'
 import { CellCanvas } from './cell-canvas'
 import { CellImage } from './cell-image'
@@ -34,7 +34,7 @@ export class Picture {
   readonly #comparison: Sheet
   readonly #marks: Sheet
   #screen: DeviceScreen = { width: 0, height: 0, pixel: 1 }
-  #edgesTape: TapeColumns | undefined
+  #edgesTape: Tape | undefined
   #edges = 0
   #lines: readonly Cell[] = []
 

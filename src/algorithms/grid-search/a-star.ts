@@ -1,5 +1,7 @@
 import { stepOffsets } from '../../grid/directions'
+import type { Cell } from '../../grid/grid'
 import { allLegalSteps } from '../../grid/legal-steps'
+import type { Directions } from '../../grid/steps'
 import { EVENT } from '../../trace/events'
 import { costOfWeight, DIAGONAL_WEIGHT, weightsTo } from '../costs'
 import { Jumps } from './jumps'
@@ -43,24 +45,30 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
   states[start] = OPEN | NO_DIRECTION
   weights[start] = 0
   openCells.begin(start, estimate(start))
-  tape?.at(lines.open).write(EVENT.open, start)
+  tape?.at(lines.start).write(EVENT.open, start)
+  let least = -1
+  const recordClosed = (cell: Cell, opened: Directions, weight: number) => {
+    if (!tape) return
+    tape.at(lines.close).write(EVENT.close, cell, opened, costOfWeight(cost, weight))
+    const before = least
+    least = costOfWeight(cost, openCells.least)
+    if (least !== before) tape.write(EVENT.value, cell, 0, least)
+  }
   for (let cell = openCells.pop(); cell >= 0; cell = openCells.pop()) {
     const state = states[cell]
     // A cell that was improved waits in a later place too.
     if (state & CLOSED) continue
     states[cell] = state | CLOSED
     const weight = weights[cell]
-    if (tape) {
-      tape.at(lines.close).write(EVENT.close, cell, -1, costOfWeight(cost, weight))
-      tape.write(EVENT.value, cell, 0, costOfWeight(cost, openCells.least))
-    }
     if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
+    if (jumps || cell === goal) recordClosed(cell, 0, weight)
     if (cell === goal) {
       const path = jumping
         ? wayBackOverJumps(start, goal, memory, offsets, diagonalWeight)
         : wayBack(start, goal, memory, offsets)
       return { path, expanded }
     }
+    let opened: Directions = 0
     let steps = successors[((state & DIRECTION) << 8) | legal[cell]]
     while (steps !== 0) {
       let direction = 31 - Math.clz32(steps)
@@ -78,8 +86,13 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
       states[reached] = OPEN | direction
       weights[reached] = longer
       openCells.push(reached, longer + estimate(reached))
-      if (tape) tape.at(lines.open).write(EVENT.open, reached, cell, costOfWeight(cost, longer))
+      opened |= 1 << direction
+      // Jump points are far away, so each has an event of its own.
+      if (tape && jumps) {
+        tape.at(lines.jump).write(EVENT.open, reached, cell, costOfWeight(cost, longer))
+      }
     }
+    if (!jumps) recordClosed(cell, opened, weight)
   }
   return { path: new Int32Array(0), expanded }
 }

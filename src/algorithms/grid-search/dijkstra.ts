@@ -1,5 +1,6 @@
 import { stepOffsets } from '../../grid/directions'
 import { allLegalSteps } from '../../grid/legal-steps'
+import type { Directions } from '../../grid/steps'
 import { EVENT } from '../../trace/events'
 import { costOfWeight, DIAGONAL_WEIGHT } from '../costs'
 import { CLOSED, DIRECTION, memoryFor, OPEN } from './memory'
@@ -33,7 +34,7 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
   states[start] = OPEN | NO_DIRECTION
   weights[start] = 0
   bucket.push(start)
-  tape?.at(lines.open).write(EVENT.open, start)
+  tape?.at(lines.start).write(EVENT.open, start)
   for (let units = 0; bucket.count + next.count > 0; units++) {
     const least = units << 29
     for (let i = 0; i < bucket.count; i++) {
@@ -43,14 +44,14 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
       if (state & CLOSED) continue
       states[cell] = state | CLOSED
       const weight = weights[cell]
-      if (tape)
-        tape
-          .at(lines.close)
-          .write(EVENT.close, cell, -1, costOfWeight(cost, units + (weight - least) / UNIT))
       if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
       if (cell === goal) {
+        tape
+          ?.at(lines.close)
+          .write(EVENT.close, cell, 0, costOfWeight(cost, units + (weight - least) / UNIT))
         return { path: wayBack(start, goal, memory, offsets), expanded }
       }
+      let opened: Directions = 0
       let steps = successors[((state & DIRECTION) << 8) | legal[cell]]
       while (steps !== 0) {
         const direction = 31 - Math.clz32(steps)
@@ -65,11 +66,12 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
         const more = (longer - least) | 0
         if (more < 2 * UNIT) next.push(neighbour)
         else afterNext.push(neighbour)
-        if (tape)
-          tape
-            .at(lines.open)
-            .write(EVENT.open, neighbour, cell, costOfWeight(cost, units + more / UNIT))
+        opened |= 1 << direction
       }
+      if (tape)
+        tape
+          .at(lines.close)
+          .write(EVENT.close, cell, opened, costOfWeight(cost, units + (weight - least) / UNIT))
     }
     const empty = bucket
     empty.count = 0
