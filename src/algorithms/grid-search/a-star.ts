@@ -1,11 +1,10 @@
 import { stepOffsets } from '../../grid/directions'
-import type { Cell } from '../../grid/grid'
 import { allLegalSteps } from '../../grid/legal-steps'
 import type { Directions } from '../../grid/steps'
-import { EVENT } from '../../trace/events'
-import { costOfWeight, DIAGONAL_WEIGHT, weightsTo } from '../costs'
+import { DIAGONAL_WEIGHT, weightsTo } from '../costs'
 import { Jumps } from './jumps'
 import { CLOSED, DIRECTION, memoryFor, OPEN } from './memory'
+import { Recorder } from './recorder'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
 import { NO_DIRECTION, SUCCESSORS } from './successors'
 import { wayBack, wayBackOverJumps } from './way-back'
@@ -41,19 +40,12 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
     ? new Jumps(legal, successors, offsets, diagonalWeight, problem, memory)
     : null
   const { openCells } = memory
+  const record = tape && new Recorder(tape, lines, cost)
   let expanded = 0
   states[start] = OPEN | NO_DIRECTION
   weights[start] = 0
   openCells.begin(start, estimate(start))
-  tape?.at(lines.start).write(EVENT.open, start)
-  let least = -1
-  const recordClosed = (cell: Cell, opened: Directions, weight: number) => {
-    if (!tape) return
-    tape.at(lines.close).write(EVENT.close, cell, opened, costOfWeight(cost, weight))
-    const before = least
-    least = costOfWeight(cost, openCells.least)
-    if (least !== before) tape.write(EVENT.value, cell, 0, least)
-  }
+  record?.begin(start)
   for (let cell = openCells.pop(); cell >= 0; cell = openCells.pop()) {
     const state = states[cell]
     // A cell that was improved waits in a later place too.
@@ -61,7 +53,10 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
     states[cell] = state | CLOSED
     const weight = weights[cell]
     if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
-    if (jumps || cell === goal) recordClosed(cell, 0, weight)
+    if (record && (jumps || cell === goal)) {
+      record.closed(cell, 0, weight)
+      record.least(cell, openCells.least)
+    }
     if (cell === goal) {
       const path = jumping
         ? wayBackOverJumps(start, goal, memory, offsets, diagonalWeight)
@@ -87,12 +82,12 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
       weights[reached] = longer
       openCells.push(reached, longer + estimate(reached))
       opened |= 1 << direction
-      // Jump points are far away, so each has an event of its own.
-      if (tape && jumps) {
-        tape.at(lines.jump).write(EVENT.open, reached, cell, costOfWeight(cost, longer))
-      }
+      if (record && jumps) record.jumped(reached, cell, longer)
     }
-    if (!jumps) recordClosed(cell, opened, weight)
+    if (record && !jumps) {
+      record.closed(cell, opened, weight)
+      record.least(cell, openCells.least)
+    }
   }
   return { path: new Int32Array(0), expanded }
 }

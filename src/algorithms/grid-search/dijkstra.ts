@@ -1,9 +1,9 @@
 import { stepOffsets } from '../../grid/directions'
 import { allLegalSteps } from '../../grid/legal-steps'
 import type { Directions } from '../../grid/steps'
-import { EVENT } from '../../trace/events'
-import { costOfWeight, DIAGONAL_WEIGHT } from '../costs'
+import { DIAGONAL_WEIGHT } from '../costs'
 import { CLOSED, DIRECTION, memoryFor, OPEN } from './memory'
+import { Recorder } from './recorder'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
 import { NO_DIRECTION, SUCCESSORS } from './successors'
 import { wayBack } from './way-back'
@@ -30,11 +30,12 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
   const memory = memoryFor(cells)
   const { states, wholeWeights: weights } = memory
   let [bucket, next, afterNext] = memory.buckets
+  const record = tape && new Recorder(tape, lines, cost)
   let expanded = 0
   states[start] = OPEN | NO_DIRECTION
   weights[start] = 0
   bucket.push(start)
-  tape?.at(lines.start).write(EVENT.open, start)
+  record?.begin(start)
   for (let units = 0; bucket.count + next.count > 0; units++) {
     const least = units << 29
     for (let i = 0; i < bucket.count; i++) {
@@ -46,9 +47,7 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
       const weight = weights[cell]
       if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
       if (cell === goal) {
-        tape
-          ?.at(lines.close)
-          .write(EVENT.close, cell, 0, costOfWeight(cost, units + (weight - least) / UNIT))
+        record?.closed(cell, 0, units + (weight - least) / UNIT)
         return { path: wayBack(start, goal, memory, offsets), expanded }
       }
       let opened: Directions = 0
@@ -63,15 +62,11 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
         if (known !== 0 && ((longer - weights[neighbour]) | 0) >= 0) continue
         states[neighbour] = OPEN | direction
         weights[neighbour] = longer
-        const more = (longer - least) | 0
-        if (more < 2 * UNIT) next.push(neighbour)
+        if (((longer - least) | 0) < 2 * UNIT) next.push(neighbour)
         else afterNext.push(neighbour)
         opened |= 1 << direction
       }
-      if (tape)
-        tape
-          .at(lines.close)
-          .write(EVENT.close, cell, opened, costOfWeight(cost, units + (weight - least) / UNIT))
+      record?.closed(cell, opened, units + (weight - least) / UNIT)
     }
     const empty = bucket
     empty.count = 0
