@@ -6,7 +6,7 @@ import { Jumps } from './jumps'
 import { CLOSED, DIRECTION, memoryFor, OPEN } from './memory'
 import { Recorder } from './recorder'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
-import { NO_DIRECTION, SUCCESSORS } from './successors'
+import { NO_DIRECTION, successorsUnder } from './successors'
 import { wayBack, wayBackOverJumps } from './way-back'
 
 /**
@@ -30,7 +30,7 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
   const { grid, start, goal, diagonal } = problem
   const cells = grid.walls.length
   const legal = allLegalSteps(grid, diagonal)
-  const successors = SUCCESSORS[diagonal]
+  const successors = successorsUnder(diagonal)
   const offsets = stepOffsets(grid.width)
   const diagonalWeight = DIAGONAL_WEIGHT[cost]
   const estimate = weightsTo(goal, cost, grid.width)

@@ -5,7 +5,7 @@ import { DIAGONAL_WEIGHT } from '../costs'
 import { CLOSED, DIRECTION, memoryFor, OPEN } from './memory'
 import { Recorder } from './recorder'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
-import { NO_DIRECTION, SUCCESSORS } from './successors'
+import { NO_DIRECTION, successorsUnder } from './successors'
 import { wayBack } from './way-back'
 
 /**
@@ -24,7 +24,7 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
   const { grid, start, goal, diagonal } = problem
   const cells = grid.walls.length
   const legal = allLegalSteps(grid, diagonal)
-  const successors = SUCCESSORS[diagonal]
+  const successors = successorsUnder(diagonal)
   const offsets = stepOffsets(grid.width)
   const diagonalWeight = (DIAGONAL_WEIGHT[cost] * UNIT) | 0
   const memory = memoryFor(cells)
