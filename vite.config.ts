@@ -8,5 +8,13 @@ export default defineConfig({
   appType: 'mpa',
   worker: { format: 'es' },
   css: { postcss: usedStyles },
-  build: { rolldownOptions: { input: ['index.html', 'experiments.html'] } },
+  build: {
+    // A browser that does not know these links loads the modules a little later, and that is all.
+    modulePreload: { polyfill: false },
+    rolldownOptions: {
+      input: ['index.html', 'experiments.html'],
+      // Both pages need these modules: in a file each, they take a slow machine longer to ask for.
+      output: { codeSplitting: { groups: [{ name: 'planners', test: /\/src\/algorithms\// }] } },
+    },
+  },
 })

@@ -22,4 +22,4 @@ export { EVENT, EVENT_NAMES, type EventKind, STATUSES, type Status } from './tra
 export { frameAt } from './trace/fold'
 export { type Frame, isFelt, KNOWN, knownOf, SEARCH, searchOf } from './trace/frame'
 export { Player } from './trace/player'
-export { Tape, type TapeColumns } from './trace/tape'
+export { Tape, type TapeData } from './trace/tape'

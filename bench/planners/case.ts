@@ -17,4 +17,6 @@ export interface Case {
   /** What a unit is: the time of a query is shown in milliseconds, that of a cell in nanoseconds. */
   readonly unit: 'query' | 'cell'
   readonly target: Target
+  /** Whether little is between the two, so that it takes many more samples to tell. */
+  readonly isClose?: boolean
 }

@@ -34,6 +34,7 @@ export function roadmapFaultsOn(map: BenchMap): Fault[] {
 }
 
 /** The cells of all events of a kind. */
-function cellsOf({ kinds, cells, length }: Tape, kind: number): number[] {
-  return Array.from(cells.subarray(0, length)).filter((_, i) => kinds[i] === kind)
+function cellsOf(tape: Tape, kind: number): number[] {
+  const events = Array.from({ length: tape.length }, (_, i) => i)
+  return events.filter((i) => tape.kind(i) === kind).map((i) => tape.cell(i))
 }

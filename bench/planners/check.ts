@@ -1,6 +1,6 @@
-import type { Cell } from '../../src/grid/grid'
+import type { Cell, Grid } from '../../src/grid/grid'
 import type { BenchMap, Query } from './maps'
-import { ask, searchesOf } from './ours'
+import { ask, askTapeless, searchesOf } from './ours'
 import type { Peer } from './peers/peer'
 import { leastCost } from './plain/dijkstra'
 import { costOfPath } from './plain/steps'
@@ -46,12 +46,17 @@ export function faultsOn(map: BenchMap, peers: readonly Peer[]): Fault[] {
   })
 }
 
+/** The library, and what it is without tapes: both have run the same before they are timed. */
 function ourselves({ grid }: BenchMap): Contender[] {
+  return [...ours(grid, ask, ''), ...ours(grid, askTapeless, ', built without tapes')]
+}
+
+function ours(grid: Grid, asked: typeof ask, built: string): Contender[] {
   const contender = (planner: string, search: string, cost: 'cells' | 'euclidean'): Contender => ({
-    who: `${planner} ${search}, cost ${cost}`,
+    who: `${planner} ${search}, cost ${cost}${built}`,
     isOurs: true,
     diagonal: cost === 'cells' ? 1 : Math.SQRT2,
-    find: (query) => ask(grid, query, planner, { cost, search }).path,
+    find: (query) => asked(grid, query, planner, { cost, search }).path,
   })
   // Jump points are for cost euclidean, and the visibility graph is optimal with cost cells only.
   const byCells = (planner: string) =>

@@ -1,4 +1,4 @@
-import { parseArgs } from 'node:util'
+import { parseArguments } from '../../src/cli/arguments'
 import { InputError } from '../../src/grid/errors'
 
 export const USAGE = `Times our planners and those of other libraries in turn.
@@ -9,6 +9,12 @@ export const USAGE = `Times our planners and those of other libraries in turn.
   npm run bench -- --docs              all of it, written down in docs/speed.md
   npm run bench -- a.map a.map.scen    maps and scenarios of the MovingAI benchmarks instead
 `
+
+const OPTIONS = {
+  only: { type: 'string' },
+  quick: { type: 'boolean' },
+  docs: { type: 'boolean' },
+} as const
 
 export interface Command {
   readonly help: boolean
@@ -25,7 +31,7 @@ export interface Command {
  * @throws InputError that says which argument is wrong
  */
 export function readCommand(args: readonly string[]): Command {
-  const { values, positionals } = parse(args)
+  const { values, positionals } = parseArguments(args, OPTIONS, USAGE)
   const { help = false, quick = false, docs = false, only = '' } = values
   const maps = positionals.filter((file) => file.endsWith('.map'))
   const scenarios = positionals.filter((file) => file.endsWith('.scen'))
@@ -37,22 +43,4 @@ export function readCommand(args: readonly string[]): Command {
     throw new InputError('--docs writes down the whole bench: it goes with nothing else.')
   }
   return { help, quick, docs, only, maps, scenarios }
-}
-
-function parse(args: readonly string[]) {
-  try {
-    return parseArgs({
-      args: [...args],
-      allowPositionals: true,
-      options: {
-        only: { type: 'string' },
-        quick: { type: 'boolean' },
-        docs: { type: 'boolean' },
-        help: { type: 'boolean', short: 'h' },
-      },
-    })
-  } catch (error) {
-    const message = error instanceof Error ? error.message : String(error)
-    throw new InputError(`${message}\n\n${USAGE}`)
-  }
 }

@@ -1,5 +1,6 @@
 import { type Outcome, type ParamSettings, plan, plannerById, type Tape } from 'path-planner'
 import type { Grid } from '../../src/grid/grid'
+import { plan as planTapeless } from '../../src/index'
 import { type Query, RULE } from './maps'
 
 /**
@@ -7,16 +8,23 @@ import { type Query, RULE } from './maps'
  * copied for each question, and the copy counted. What the planners keep of the map before, its legal
  * steps, they may use only once they have compared the two maps cell by cell: that is counted, too.
  */
-export function ask(
-  grid: Grid,
-  { start, goal }: Query,
-  planner: string,
-  params: ParamSettings,
-  tape?: Tape,
-): Outcome {
-  const copy = { ...grid, walls: grid.walls.slice() }
-  const problem = { grid: copy, start, goal, diagonal: RULE } as const
-  return plan(problem, planner, tape ? { params, tape } : { params })
+export const ask = asking(plan)
+
+/** The same question to this library built as if there were no tapes: `withoutTape` sees to that. */
+export const askTapeless = asking(planTapeless)
+
+function asking(library: typeof plan) {
+  return (
+    grid: Grid,
+    { start, goal }: Query,
+    planner: string,
+    params: ParamSettings,
+    tape?: Tape,
+  ): Outcome => {
+    const copy = { ...grid, walls: grid.walls.slice() }
+    const problem = { grid: copy, start, goal, diagonal: RULE } as const
+    return library(problem, planner, tape ? { params, tape } : { params })
+  }
 }
 
 /** The values that the parameter `search` of a planner may have, as it declares them. */

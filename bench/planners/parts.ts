@@ -3,7 +3,7 @@ import { cellCases } from './cases/cells'
 import { fieldCase } from './cases/fields'
 import { roadmapCases, visibilityCase } from './cases/roadmaps'
 import { type SearchTargets, searchCases } from './cases/searches'
-import { tapeCases } from './cases/tapes'
+import { tapeCases, tapelessCases } from './cases/tapes'
 import { type BenchMap, generatedMap, MAP_KINDS, type MapKind, WIDE_KINDS } from './maps'
 import { allPeers, sturdyPeers } from './peers/all'
 import type { Peer } from './peers/peer'
@@ -46,6 +46,8 @@ function casesOn(kind: MapKind, map: BenchMap, isLarge: boolean): Case[] {
     ...cellCases(map),
     visibilityCase(map),
   ]
+  // Before any tape is written: code that has seen one may be compiled to another.
+  if (map.grid.width === 200 && kind === 'random') cases.push(...tapelessCases(map))
   if (map.grid.width === 200 || (isLarge && kind === 'random')) cases.push(...tapeCases(map))
   if (isLarge) cases.push(...roadmapCases(map), fieldCase(map))
   return cases

@@ -13,7 +13,7 @@ export function timeAll(cases: Iterable<Case>): Result[] {
   say(`\n${lineOf(COLUMNS)}`)
   const results: Result[] = []
   for (const one of cases) {
-    const figures = figuresOf(one.target, timeInTurn(one.ours, one.peer))
+    const figures = figuresOf(one.target, timeInTurn(one.ours, one.peer, one.isClose))
     say(lineOf(columnsOf(one, figures)))
     results.push({ one, figures })
   }

@@ -9,25 +9,29 @@ export interface Samples {
 
 const WARM_UP_MS = 100
 const LEAST_RUNS = 3
-/** What takes so long was compiled on the way. */
+/** What takes so long is compiled on the way, and hardly notices that it is compiled again. */
 const VERY_LONG_MS = 500
 /** What is shorter is repeated within a sample, so that the clock's steps do not count. */
 const SAMPLE_MS = 10
-/** What takes longer leaves much garbage behind, and hardly notices that it is compiled again. */
+/** What takes longer leaves much garbage behind. */
 const LONG_MS = 100
 const MOST_ROUNDS = 15
 const ENOUGH_MS = 600
 const ALONE_MS = 50
 
-/** Times both in turn until there are enough samples. */
-export function timeInTurn(ours: Work, peer: Work): Samples {
+/**
+ * Times both in turn until there are enough samples.
+ * @param isClose takes ten times as many
+ */
+export function timeInTurn(ours: Work, peer: Work, isClose = false): Samples {
   globalThis.gc?.()
   const once = { ours: warmUp(ours), peer: warmUp(peer) }
   const sweeping = Math.max(once.ours, once.peer) > LONG_MS
   const least = Math.max(once.ours, once.peer) > VERY_LONG_MS ? 3 : 5
   const samples: { ours: number[]; peer: number[] } = { ours: [], peer: [] }
-  const end = performance.now() + ENOUGH_MS
-  for (let round = 0; round < MOST_ROUNDS; round++) {
+  const times = isClose ? 10 : 1
+  const end = performance.now() + times * ENOUGH_MS
+  for (let round = 0; round < times * MOST_ROUNDS; round++) {
     if (round >= least && performance.now() > end) break
     samples.ours.push(sample(ours, once.ours, sweeping))
     samples.peer.push(sample(peer, once.peer, sweeping))
@@ -68,13 +72,13 @@ function warmUp(work: Work): number {
 /**
  * The time of a unit of work that takes `once` ms. Nobody shall pay for the garbage of another: the
  * young is cleared away, and all of it when `sweeping`, if Node lets us. As that throws compiled
- * code away, too, short work is then warmed up again.
+ * code away, too, work is then warmed up again, unless it takes very long.
  */
 function sample(work: Work, once: number, sweeping: boolean): number {
   const times = Math.max(1, Math.ceil(SAMPLE_MS / once))
   if (sweeping) {
     globalThis.gc?.()
-    if (once <= LONG_MS) repeat(work, times)
+    if (once <= VERY_LONG_MS) repeat(work, times)
   }
   globalThis.gc?.({ type: 'minor' })
   const begin = performance.now()

@@ -215,6 +215,7 @@ test('a question mark shows all keys', async ({ map, page }) => {
 test('keys on the map do nothing to it while a dialog is open', async ({ page }) => {
   await openMap(page, ROWS)
   await page.getByRole('button', { name: 'Help and keys' }).click()
+  await expect(page.getByRole('dialog', { name: 'Help and keys' })).toBeVisible()
   await page.keyboard.press('Control+z')
   await page.keyboard.press('Escape')
   expect(await drawnRows(page)).toHaveLength(3)

@@ -36,6 +36,11 @@ function weightOf(across: number, down: number, more: number): number {
   return across > down ? across + more * down : down + more * across
 }
 
+/** The cost of a diagonal step, as the costs of paths are summed up: a straight one costs 1. */
+export function diagonalCost(cost: Cost): number {
+  return costOfWeight(cost, DIAGONAL_WEIGHT[cost])
+}
+
 /**
  * Weighs the simplest path between two cells of a map `width` cells wide. No path weighs less,
  * whatever the obstacles.

@@ -1,3 +1,4 @@
+import type { Cell } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import { EVENT } from '../trace/events'
 import type { Tape } from '../trace/tape'
@@ -12,9 +13,10 @@ import { searchParam } from './search-param'
 
 const { text, line } = pseudocode({
   graph: 'graph ← the free cells; edges join cells one legal step apart',
-  open: 'put the start, then each cell that gets a shorter way, among the open cells; leave out those that the parent reaches as cheaply without this cell',
+  start: 'open the start, with cost 0',
   close:
-    'take the open cell with the least cost (a-star, jump-point: cost so far and what is left at least) and close it: its way is final',
+    'close the open cell of least cost (a-star, jump-point: cost so far and what is left at least): its way is final; open each neighbour that gets a shorter way over it, except those that its parent reaches as cheaply',
+  jump: 'jump-point: instead of a neighbour open the next cell that way where a path may turn',
   found: 'if it is the goal: follow the parents back to the start',
   none: 'if no cell is open: no path exists',
 })
@@ -46,12 +48,8 @@ export const decomposition = offlinePlanner({
   source: 'Report, IV.A; E. W. Dijkstra, "A note on two problems in connexion with graphs", 1959',
 
   plan(problem, { params, tape, progress }) {
-    if (tape) {
-      const cells = recordGraph(problem, tape)
-      // Dijkstra opens and closes nearly every cell once; the others hardly know what they will need.
-      if (params.search === 'dijkstra') tape.reserve(Math.ceil(2.1 * cells))
-    }
-    tape?.at(line.open).write(EVENT.phase, -1, 1)
+    if (tape) recordGraph(problem, tape)
+    tape?.at(line.start).write(EVENT.phase, -1, 1)
     const task = { problem, cost: params.cost, tape, lines: line, progress }
     const { path, expanded } = SEARCHES[params.search](task)
     if (path.length === 0) {
@@ -65,15 +63,30 @@ export const decomposition = offlinePlanner({
   },
 })
 
-/** The cells of the map become the vertices of a graph, row by row; returns how many there are. */
-function recordGraph({ grid }: Problem, tape: Tape): number {
+/** The cells of the map become the vertices of a graph, row by row. */
+function recordGraph({ grid: { width, walls } }: Problem, tape: Tape): void {
   tape.at(line.graph).write(EVENT.phase, -1, 0)
-  let cells = 0
-  for (let first = 0; first < grid.walls.length; first += grid.width) {
-    let free = 0
-    for (let cell = first; cell < first + grid.width; cell++) if (!grid.walls[cell]) free++
-    tape.write(EVENT.row, first, free)
-    cells += free
+  const isAligned = walls.byteOffset % Int32Array.BYTES_PER_ELEMENT === 0
+  const { buffer, byteOffset, length } = isAligned ? walls : walls.slice()
+  const fours = new Int32Array(buffer, byteOffset, length >> 2)
+  for (let first = 0; first < length; first += width) {
+    tape.write(EVENT.row, first, width - countObstacles(walls, fours, first, first + width))
   }
-  return cells
+}
+
+/** Obstacles from one cell up to another. `fours` has four cells of `walls` in a word, a byte each. */
+function countObstacles(walls: Uint8Array, fours: Int32Array, from: Cell, to: Cell): number {
+  let count = 0
+  let cell = from
+  for (; cell < to && (cell & 3) !== 0; cell++) count += walls[cell]
+  while (cell + 4 <= to) {
+    // So many words add up without a carry from byte to byte, and so do their four bytes then.
+    const end = Math.min(to >> 2, (cell >> 2) + 63)
+    let sums = 0
+    for (let i = cell >> 2; i < end; i++) sums += fours[i]
+    count += Math.imul(sums, 0x01010101) >>> 24
+    cell = end << 2
+  }
+  for (; cell < to; cell++) count += walls[cell]
+  return count
 }

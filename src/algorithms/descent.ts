@@ -108,7 +108,6 @@ export function descend(task: Descent): Answer {
 function recordFields(fields: Fields, lines: PotentialLines, tape: Tape): void {
   const attraction = fields.attraction()
   const repulsion = fields.repulsion()
-  tape.reserve(3 * attraction.length)
   recordField(0, lines.attraction, EVENT.attraction, attraction, tape)
   recordField(1, lines.repulsion, EVENT.repulsion, repulsion, tape)
   const potential = attraction
@@ -124,5 +123,5 @@ function recordField(
   tape: Tape,
 ): void {
   tape.at(line).write(EVENT.phase, -1, phase)
-  tape.writeField(kind, field)
+  for (let cell = 0; cell < field.length; cell++) tape.write(kind, cell, -1, field[cell])
 }

@@ -7,6 +7,7 @@ import { DriveNotes } from '../rover/drive-notes'
 import { SimulatedRover } from '../rover/simulated-rover'
 import { EVENT, STATUSES, type Status } from '../trace/events'
 import { Tape } from '../trace/tape'
+import { diagonalCost } from './costs'
 import { completeParams, type ParamSettings } from './params'
 import type { Answer, AnyPlanner, Context, Values } from './planner'
 import { planners } from './planners'
@@ -55,14 +56,16 @@ export function plan(problem: Problem, plannerId: string, options: PlanOptions =
   const { seed = 1, tape, progress = () => {} } = options
   if (!Number.isSafeInteger(seed)) throw new InputError(`The seed ${seed} is not a whole number.`)
   if (tape !== undefined && !(tape instanceof Tape)) throw new InputError('The tape is no Tape.')
-  tape?.begin(problem.grid.width, problem.grid.height)
+  // Without that parameter every step counts the same.
+  const costOfSteps = params.cost === 'euclidean' ? 'euclidean' : 'cells'
+  tape?.begin(problem.grid.width, problem.grid.height, diagonalCost(costOfSteps))
   const context = { params, random: randomNumbers(seed), tape, progress }
   const answer = run(problem, planner, context)
   const { status, reason, path, expanded, sensed } = answer
   checkAnswer(problem, planner, params, answer)
   tape?.write(EVENT.end, path.at(-1), STATUSES.indexOf(status))
   const measure = measurePath(problem.grid.width, path)
-  const cost = params.cost === 'euclidean' ? measure.length : Math.max(0, path.length - 1)
+  const cost = costOfSteps === 'euclidean' ? measure.length : Math.max(0, path.length - 1)
   return { status, reason, path, cost, measure, expanded, sensed }
 }
 

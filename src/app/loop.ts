@@ -9,13 +9,13 @@ import { scoreOf, stepAt } from './score'
  */
 export function loopBegan(moment: Moment): number | null {
   const { shown, frame } = moment
-  const { kinds, values, length } = shown.tape
-  const latest = isAtEnd(moment) ? length - 2 : frame.time - 1
-  if (kinds[latest] !== EVENT.loop) return null
+  const { tape } = shown
+  const latest = isAtEnd(moment) ? tape.length - 2 : frame.time - 1
+  if (latest < 0 || tape.kind(latest) !== EVENT.loop) return null
   let walked = -1
   for (let i = 0; i < latest; i++) {
-    if (kinds[i] === EVENT.step) walked++
-    if (walked === values[latest]) return stepAt(scoreOf(shown.tape), i + 1)
+    if (tape.kind(i) === EVENT.step) walked++
+    if (walked === tape.value(latest)) return stepAt(scoreOf(tape), i + 1)
   }
   return null
 }

@@ -1,5 +1,5 @@
 import { EVENT } from '../trace/events'
-import type { TapeColumns } from '../trace/tape'
+import type { Tape } from '../trace/tape'
 
 /** Share of the time that belongs to search and fields, if something moves after them. */
 const SEARCH_SHARE = 0.45
@@ -25,16 +25,16 @@ const SEARCHES: ReadonlySet<number> = new Set([
  * senses on its way.
  */
 export class Pace {
-  readonly #tape: TapeColumns
+  readonly #tape: Tape
   /** How much of the time an event takes, by its kind. */
   readonly #weights = new Float64Array(256)
   #time = 0
   #done = 0
 
-  constructor(tape: TapeColumns) {
+  constructor(tape: Tape) {
     this.#tape = tape
     const counts = new Uint32Array(256)
-    for (let i = 0; i < tape.length; i++) counts[tape.kinds[i]]++
+    for (let i = 0; i < tape.length; i++) counts[tape.kind(i)]++
     const sum = (kinds: ReadonlySet<number>) =>
       [...kinds].reduce((total, kind) => total + counts[kind], 0)
     const [moves, searches] = [sum(MOVES), sum(SEARCHES)]
@@ -60,7 +60,7 @@ export class Pace {
   }
 
   #next(): void {
-    this.#done += this.#weights[this.#tape.kinds[this.#time]]
+    this.#done += this.#weights[this.#tape.kind(this.#time)]
     this.#time++
   }
 }

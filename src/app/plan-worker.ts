@@ -28,13 +28,13 @@ function answer({ id, problem, plannerId, params, seed }: WorkerQuestion): void 
   }
   const outcome = plan(problem, plannerId, { params, seed, tape, progress })
   const milliseconds = performance.now() - began
-  const { columns, buffers } = tape.release()
-  const folded = foldWhole(columns)
+  const folded = foldWhole(tape)
   const last = packed(folded.last)
   const checkpoints = folded.checkpoints.map(packed)
-  const score = scoreOf(columns)
-  send({ kind: 'planned', id, outcome, tape: columns, last, checkpoints, score, milliseconds }, [
-    ...buffers,
+  const score = scoreOf(tape)
+  const data = tape.release()
+  send({ kind: 'planned', id, outcome, tape: data, last, checkpoints, score, milliseconds }, [
+    ...data.buffers,
     // Frames share what they have in common.
     ...new Set([last, ...checkpoints].flatMap(frameBuffers)),
     score.steps.buffer,

@@ -1,3 +1,4 @@
+import { Tape } from '../trace/tape'
 import { planningWorker } from './planning-worker'
 import { keepScore } from './score'
 import { Solver } from './solver'
@@ -34,7 +35,8 @@ export function planningFor(
   const solver = new Solver(planningWorker, () => performance.now(), {
     started: () => store.update(planStarted),
     progressed: (done) => store.update((state) => planProgressed(state, done)),
-    arrived({ setup, instant }, { outcome, tape, last, checkpoints, score, milliseconds }) {
+    arrived({ setup, instant }, { outcome, tape: data, last, checkpoints, score, milliseconds }) {
+      const tape = Tape.from(data)
       keepScore(tape, score)
       const shown = { setup, instant, outcome, tape, last, checkpoints, milliseconds }
       store.update((state) => planArrived(state, shown, welcome(shown)))

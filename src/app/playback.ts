@@ -1,11 +1,11 @@
-import type { TapeColumns } from '../trace/tape'
+import type { Tape } from '../trace/tape'
 import { Pace } from './pacing'
 import { scoreOf, stepAt } from './score'
 import type { Tempo } from './speeds'
 
 /** What is being played: `time` events of the tape have happened so far. */
 export interface Played {
-  readonly tape: TapeColumns
+  readonly tape: Tape
   readonly tempo: Tempo
   readonly time: number
 }
@@ -15,7 +15,7 @@ const MOST_EVENTS = 1 << 17
 
 /** A tape on its way to its end. Knows no clock: it is told what time it is. */
 export class Playback {
-  readonly #tape: TapeColumns
+  readonly #tape: Tape
   readonly #tempo: Tempo
   readonly #timeAfter: (elapsed: number) => number
   #began: number | null = null
@@ -48,7 +48,7 @@ export class Playback {
 }
 
 /** The first step is taken at once: whoever presses play sees that it plays. */
-function bySteps(tape: TapeColumns, from: number, perSecond: number): (elapsed: number) => number {
+function bySteps(tape: Tape, from: number, perSecond: number): (elapsed: number) => number {
   const score = scoreOf(tape)
   const first = stepAt(score, from) + 1
   const last = score.steps.length - 1
@@ -59,7 +59,7 @@ function bySteps(tape: TapeColumns, from: number, perSecond: number): (elapsed: 
 }
 
 function whole(
-  tape: TapeColumns,
+  tape: Tape,
   from: number,
   { duration, times, pause }: Extract<Tempo, { kind: 'whole' }>,
 ): (elapsed: number) => number {

@@ -1,5 +1,5 @@
 import { landmarksOf, placeAfter, stepsOf } from '../trace/landmarks'
-import type { TapeColumns } from '../trace/tape'
+import type { Tape } from '../trace/tape'
 
 /** The moments of a tape between which one steps, and those of its landmarks. */
 export interface Score {
@@ -7,10 +7,10 @@ export interface Score {
   readonly landmarks: Int32Array
 }
 
-const scores = new WeakMap<TapeColumns, Score>()
+const scores = new WeakMap<Tape, Score>()
 
 /** Reckoned when it is first asked for, once for each tape. */
-export function scoreOf(tape: TapeColumns): Score {
+export function scoreOf(tape: Tape): Score {
   const known = scores.get(tape)
   if (known) return known
   const steps = stepsOf(tape)
@@ -20,7 +20,7 @@ export function scoreOf(tape: TapeColumns): Score {
 }
 
 /** Takes over the score of a tape, as the worker has found it. */
-export function keepScore(tape: TapeColumns, score: Score): void {
+export function keepScore(tape: Tape, score: Score): void {
   scores.set(tape, score)
 }
 

@@ -2,7 +2,7 @@ import type { Outcome } from '../algorithms/plan'
 import type { Cell } from '../grid/grid'
 import type { Rect, ScreenSize, View } from '../render/view'
 import type { Frame } from '../trace/frame'
-import type { TapeColumns } from '../trace/tape'
+import type { Tape } from '../trace/tape'
 import { type Comparison, noComparison } from './compare/state'
 import { emptyHistory, type History } from './history'
 import type { Preferences } from './preferences'
@@ -14,7 +14,7 @@ import type { Tempo } from './speeds'
 export interface Shown {
   readonly setup: Setup
   readonly outcome: Outcome
-  readonly tape: TapeColumns
+  readonly tape: Tape
   /** The picture after the last event, folded in the worker. */
   readonly last: Frame
   /** Pictures on the way there, from which the others are found. */

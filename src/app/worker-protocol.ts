@@ -2,7 +2,7 @@ import type { ParamSettings } from '../algorithms/params'
 import type { Outcome } from '../algorithms/plan'
 import type { Problem } from '../grid/problem'
 import type { Frame } from '../trace/frame'
-import type { TapeColumns } from '../trace/tape'
+import type { TapeData } from '../trace/tape'
 import type { Score } from './score'
 import { type Setup, settingsOf } from './setup'
 
@@ -22,7 +22,7 @@ export type WorkerAnswer =
       readonly kind: 'planned'
       readonly id: number
       readonly outcome: Outcome
-      readonly tape: TapeColumns
+      readonly tape: TapeData
       readonly last: Frame
       readonly checkpoints: readonly Frame[]
       readonly score: Score

@@ -1,7 +1,7 @@
 import { availableParallelism } from 'node:os'
-import { parseArgs } from 'node:util'
 import { readShard, type Shard, WHOLE } from '../experiments/shards'
 import { InputError } from '../grid/errors'
+import { parseArguments } from './arguments'
 
 export const USAGE = `Runs an experiment: the planners and maps that a settings file names.
 
@@ -14,6 +14,13 @@ export const USAGE = `Runs an experiment: the planners and maps that a settings 
   --workers  how many threads work (as many as there are cores, if nothing else is said)
   --merge    joins the files of all shards into the one that a single run would have made
 `
+
+const OPTIONS = {
+  out: { type: 'string' },
+  shard: { type: 'string' },
+  workers: { type: 'string' },
+  merge: { type: 'boolean' },
+} as const
 
 export type Command =
   | { readonly kind: 'help' }
@@ -31,7 +38,7 @@ export type Command =
  * @throws InputError that says which argument is wrong
  */
 export function readCommand(args: readonly string[]): Command {
-  const { values, positionals } = parse(args)
+  const { values, positionals } = parseArguments(args, OPTIONS, USAGE)
   if (values.help) return { kind: 'help' }
   const out = values.out ?? null
   if (values.merge) {
@@ -46,25 +53,6 @@ export function readCommand(args: readonly string[]): Command {
   if (others.length > 0) throw new InputError(`One settings file at a time: what is ${others[0]}?`)
   const shard = values.shard === undefined ? WHOLE : readShard(values.shard)
   return { kind: 'run', settings, out, shard, workers: readWorkers(values.workers) }
-}
-
-function parse(args: readonly string[]) {
-  try {
-    return parseArgs({
-      args: [...args],
-      allowPositionals: true,
-      options: {
-        out: { type: 'string' },
-        shard: { type: 'string' },
-        workers: { type: 'string' },
-        merge: { type: 'boolean' },
-        help: { type: 'boolean', short: 'h' },
-      },
-    })
-  } catch (error) {
-    const message = error instanceof Error ? error.message : String(error)
-    throw new InputError(`${message}\n\n${USAGE}`)
-  }
 }
 
 function readWorkers(text: string | undefined): number {

@@ -60,7 +60,7 @@ function patched(
 
 /** Slides a window of three columns along each row. */
 function built({ width, height, walls }: Grid, rule: DiagonalRule): Uint8Array {
-  const table = WINDOWS[rule]
+  const table = windowsUnder(rule)
   const steps = new Uint8Array(walls.length)
   const border = new Uint8Array(width).fill(1)
   const row = (y: number) =>
@@ -93,14 +93,14 @@ function slide(
 const PLACES = Int8Array.of(5, 2, 1, 0, 3, 6, 7, 8)
 const MIDDLE = 1 << 4
 
-const windows = (rule: DiagonalRule): Uint8Array =>
-  Uint8Array.from({ length: 512 }, (_, window) => {
+const tables: Partial<Record<DiagonalRule, Uint8Array>> = {}
+
+/** By a window of nine cells the legal steps from the one in the middle. */
+function windowsUnder(rule: DiagonalRule): Uint8Array {
+  tables[rule] ??= Uint8Array.from({ length: 512 }, (_, window) => {
     let obstacles: Directions = 0
     for (let d = 0; d < 8; d++) obstacles |= ((window >> PLACES[d]) & 1) << d
     return window & MIDDLE ? 0 : legalSteps(rule, obstacles)
   })
-
-const WINDOWS: Record<DiagonalRule, Uint8Array> = {
-  'if-at-most-one-obstacle': windows('if-at-most-one-obstacle'),
-  'only-when-no-obstacles': windows('only-when-no-obstacles'),
+  return tables[rule]
 }

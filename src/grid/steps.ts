@@ -1,4 +1,4 @@
-import { type Direction, DX, DY, isDiagonal } from './directions'
+import { DX, DY } from './directions'
 import { type Cell, type Grid, isObstacle } from './grid'
 
 /**
@@ -15,19 +15,17 @@ export const DIAGONAL_RULES: readonly DiagonalRule[] = [
 /** A set of directions, one bit each (`1 << direction`). */
 export type Directions = number
 
-function isLegal(rule: DiagonalRule, obstacles: Directions, direction: Direction): boolean {
-  const blocked = (d: Direction) => ((obstacles >> (d & 7)) & 1) === 1
-  if (blocked(direction)) return false
-  if (!isDiagonal(direction)) return true
-  const beside = Number(blocked(direction - 1)) + Number(blocked(direction + 1))
-  return rule === 'if-at-most-one-obstacle' ? beside < 2 : beside === 0
-}
+/** The directions d for which d - 1 is in the set. */
+const turned = (set: Directions): Directions => ((set << 1) | (set >> 7)) & 255
+const turnedBack = (set: Directions): Directions => ((set >> 1) | (set << 7)) & 255
+
+const DIAGONALS: Directions = 0b10101010
 
 function legalTable(rule: DiagonalRule): Uint8Array {
   return Uint8Array.from({ length: 256 }, (_, obstacles) => {
-    let legal = 0
-    for (let d = 0; d < 8; d++) if (isLegal(rule, obstacles, d)) legal |= 1 << d
-    return legal
+    const [before, after] = [turned(obstacles), turnedBack(obstacles)]
+    const barred = rule === 'if-at-most-one-obstacle' ? before & after : before | after
+    return ~(obstacles | (barred & DIAGONALS)) & 255
   })
 }
 

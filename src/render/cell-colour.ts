@@ -1,6 +1,5 @@
 import { FELT_BIT, KNOWN, KNOWN_BITS, KNOWN_SHIFT, SEARCH, SEARCH_BITS } from '../trace/frame'
 import { pixelOf, rgbOf } from './colour'
-import { heatColours } from './heat'
 import type { Sight } from './scene'
 import type { Theme } from './theme'
 
@@ -30,13 +29,6 @@ function cellPalette(theme: Theme): CellPalette {
   }
 }
 
-/** The pixel of each state that a cell can be in, and of each level of heat. */
-export interface CellColours {
-  /** By `stateOf`. */
-  readonly plain: Uint32Array
-  readonly heat: Uint32Array
-}
-
 const STATES = 64
 
 /**
@@ -47,16 +39,16 @@ const STATES = 64
  */
 export const stateOf = (wall: number, cell: number): number => wall | (cell << 1)
 
-export function cellColours(theme: Theme, sight: Sight): CellColours {
+/** By `stateOf`: the pixel of each state that a cell without heat can be in. */
+export function cellColours(theme: Theme, sight: Sight): Uint32Array {
   const palette = cellPalette(theme)
-  const plain = Uint32Array.from({ length: STATES }, (_, state) => {
+  return Uint32Array.from({ length: STATES }, (_, state) => {
     const [wall, cell] = [state & 1, state >> 1]
     const known = (cell & KNOWN_BITS) >> KNOWN_SHIFT
     return isShownObstacle(sight, wall, cell)
       ? obstacleColour(palette, sight, known, (cell & FELT_BIT) !== 0)
       : freeColour(palette, sight, known, cell & SEARCH_BITS)
   })
-  return { plain, heat: Uint32Array.from(heatColours(theme), pixelOf) }
 }
 
 /**

@@ -1,9 +1,9 @@
 import type { Cell } from '../grid/grid'
 import type { Field, Frame } from '../trace/frame'
-import type { TapeColumns } from '../trace/tape'
+import type { Tape } from '../trace/tape'
 import { type Box, GrowingBox } from './box'
-import { type CellColours, cellColours } from './cell-colour'
-import { type FieldRange, fieldRange } from './heat'
+import { cellColours } from './cell-colour'
+import { type FieldRange, fieldRange, heatPixels } from './heat'
 import { type CellStates, paintBox, paintEdits, paintEvents } from './paint-cells'
 import { planOnMap, type Scene, type Sight, sightOf } from './scene'
 import type { Theme } from './theme'
@@ -15,7 +15,7 @@ interface Painted {
   readonly height: number
   readonly walls: Uint8Array
   readonly theme: Theme
-  readonly tape: TapeColumns | null
+  readonly tape: Tape | null
   readonly time: number
   readonly sight: Sight
   /** The field on show. */
@@ -35,12 +35,12 @@ function paintedFrom(scene: Scene): Painted {
 const isSameSize = (before: Painted, now: Painted): boolean =>
   now.width === before.width && now.height === before.height
 
-/** More events than this, for each cell, and it is quicker to paint the map than each event. */
-const MOST_EVENTS = 0.25
+/** More events than this, for each cell, and it is quicker to paint the map than what each tells. */
+const MOST_EVENTS = 0.125
 
 /** Some events of a tape, up to `to`. */
 interface Stretch {
-  readonly tape: TapeColumns
+  readonly tape: Tape
   readonly from: number
   readonly to: number
 }
@@ -85,7 +85,7 @@ export class CellImage {
   /** Range of the field on show; `null` if none is. */
   fieldRange: FieldRange | null = null
   #painted: Painted | null = null
-  #colours: CellColours | null = null
+  #colours: Uint32Array | null = null
   #tiling: Tiling = { columns: 0, boxes: [] }
   /** Tiles that show something older than the others. */
   readonly #late = new Set<number>()
@@ -120,8 +120,8 @@ export class CellImage {
     if (tape !== before?.tape || field !== before.field) {
       this.fieldRange = tape && field ? fieldRange(tape, field) : null
     }
-    const colours = this.#colours
-    return { width, walls, frame, sight, fieldRange: this.fieldRange, colours }
+    const heat = this.fieldRange && { range: this.fieldRange, pixels: heatPixels(theme) }
+    return { width, walls, frame, sight, heat, colours: this.#colours }
   }
 
   #begin(now: Painted): void {

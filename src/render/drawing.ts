@@ -77,8 +77,9 @@ export function drawPlan(
 /** The ends of the edge that was written last of all; none as soon as something else happens. */
 export function latestEdge(scene: Scene): CellList {
   const plan = planOnMap(scene)
-  const isEdge = plan?.tape.kinds[plan.frame.time - 1] === EVENT.edge
-  return isEdge ? plan.frame.edges.slice(-2) : []
+  if (!plan || plan.frame.time === 0) return []
+  const { tape, frame } = plan
+  return tape.kind(frame.time - 1) === EVENT.edge ? frame.edges.slice(-2) : []
 }
 
 /** What there is only at this moment, start and goal, and the cells that a person points at. */

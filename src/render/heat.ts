@@ -1,7 +1,7 @@
 import { EVENT } from '../trace/events'
 import type { Field } from '../trace/frame'
-import type { TapeColumns } from '../trace/tape'
-import { contrast, mix, type Rgb, rgbOf } from './colour'
+import type { Tape } from '../trace/tape'
+import { contrast, mix, pixelOf, type Rgb, rgbOf } from './colour'
 import type { Theme } from './theme'
 
 /** Least and greatest finite value of a field of potentials. */
@@ -13,14 +13,13 @@ export interface FieldRange {
 export const HEAT_LEVELS = 256
 
 /** The range of a field over the whole tape; `null` if it has no finite value. */
-export function fieldRange(tape: TapeColumns, field: Field): FieldRange | null {
+export function fieldRange(tape: Tape, field: Field): FieldRange | null {
   let min = Number.POSITIVE_INFINITY
   let max = Number.NEGATIVE_INFINITY
-  const { kinds, values, length } = tape
   const kind = EVENT[field]
-  for (let i = 0; i < length; i++) {
-    if (kinds[i] !== kind) continue
-    const value = values[i]
+  for (let i = 0; i < tape.length; i++) {
+    if (tape.kind(i) !== kind) continue
+    const value = tape.value(i)
     if (!Number.isFinite(value)) continue
     if (value < min) min = value
     if (value > max) max = value
@@ -46,6 +45,17 @@ export function heatColours({ heat }: Theme): Rgb[] {
     const stop = Math.min(Math.floor(place), stops.length - 2)
     return mix(stops[stop], stops[stop + 1], place - stop)
   })
+}
+
+const pixels = new WeakMap<Theme, Uint32Array>()
+
+/** The pixel of each level. Kept for each theme. */
+export function heatPixels(theme: Theme): Uint32Array {
+  const kept = pixels.get(theme)
+  if (kept) return kept
+  const made = Uint32Array.from(heatColours(theme), pixelOf)
+  pixels.set(theme, made)
+  return made
 }
 
 const inks = new WeakMap<Theme, readonly string[]>()

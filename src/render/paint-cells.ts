@@ -1,10 +1,11 @@
+import { stepOffsets } from '../grid/directions'
 import { editedCells } from '../grid/edits'
 import type { Cell } from '../grid/grid'
 import { EVENT } from '../trace/events'
 import type { Frame } from '../trace/frame'
-import type { TapeColumns } from '../trace/tape'
+import type { Tape } from '../trace/tape'
 import type { Box } from './box'
-import { type CellColours, isShownObstacle, stateOf } from './cell-colour'
+import { isShownObstacle, stateOf } from './cell-colour'
 import { type FieldRange, heatLevel } from './heat'
 import type { Sight } from './scene'
 
@@ -14,39 +15,39 @@ export interface CellStates {
   readonly walls: Uint8Array
   readonly frame: Frame | null
   readonly sight: Sight
-  /** Range of the field that was written last; `null` if fields are not shown. */
-  readonly fieldRange: FieldRange | null
-  readonly colours: CellColours
+  /** By `stateOf`: the pixel of a cell without heat. */
+  readonly colours: Uint32Array
+  /** Of the field that was written last; `null` if fields are not shown. */
+  readonly heat: { readonly range: FieldRange; readonly pixels: Uint32Array } | null
 }
 
 /** The pixel of a cell. */
 function cellPixel(states: CellStates, cell: Cell): number {
-  const { walls, frame, sight, fieldRange, colours } = states
-  if (!frame) return colours.plain[walls[cell]]
+  const { walls, frame, sight, heat, colours } = states
+  if (!frame) return colours[walls[cell]]
   const field = frame.field && frame.fields[frame.field]
-  if (field && fieldRange && !isShownObstacle(sight, walls[cell], frame.cells[cell])) {
-    const level = heatLevel(fieldRange, field[cell])
-    if (level >= 0) return colours.heat[level]
+  if (field && heat && !isShownObstacle(sight, walls[cell], frame.cells[cell])) {
+    const level = heatLevel(heat.range, field[cell])
+    if (level >= 0) return heat.pixels[level]
   }
-  return colours.plain[stateOf(walls[cell], frame.cells[cell])]
+  return colours[stateOf(walls[cell], frame.cells[cell])]
 }
 
 /** Paints every cell of a box, one pixel each. */
 export function paintBox(pixels: Uint32Array, states: CellStates, box: Box): void {
-  const { width, walls, frame, fieldRange, colours } = states
-  const { plain } = colours
-  const hasHeat = frame?.field && fieldRange
+  const { width, walls, frame, heat, colours } = states
+  const hasHeat = frame?.field && heat
   for (let y = box.top; y < box.bottom; y++) {
     const from = y * width + box.left
     const to = y * width + box.right
     if (!frame) {
-      for (let cell = from; cell < to; cell++) pixels[cell] = plain[walls[cell]]
+      for (let cell = from; cell < to; cell++) pixels[cell] = colours[walls[cell]]
     } else if (hasHeat) {
       for (let cell = from; cell < to; cell++) pixels[cell] = cellPixel(states, cell)
     } else {
       const { cells } = frame
       for (let cell = from; cell < to; cell++) {
-        pixels[cell] = plain[stateOf(walls[cell], cells[cell])]
+        pixels[cell] = colours[stateOf(walls[cell], cells[cell])]
       }
     }
   }
@@ -70,19 +71,30 @@ for (const kind of [
 export function paintEvents(
   pixels: Uint32Array,
   states: CellStates,
-  { kinds, cells }: TapeColumns,
+  tape: Tape,
   from: number,
   to: number,
   painted: (cell: Cell) => void,
 ): void {
-  for (let i = from; i < to; i++) {
-    const cell = cells[i]
-    if (isPainted[kinds[i]] === 0 || cell < 0) continue
+  const offsets = stepOffsets(tape.width)
+  const paint = (cell: Cell) => {
     const pixel = cellPixel(states, cell)
     // Many an event changes nothing that is seen: a cell is opened again, or closed by now.
-    if (pixels[cell] === pixel && !states.fieldRange) continue
+    if (pixels[cell] === pixel && !states.heat) return
     pixels[cell] = pixel
     painted(cell)
+  }
+  for (let i = from; i < to; i++) {
+    const kind = tape.kind(i)
+    const cell = tape.cell(i)
+    if (isPainted[kind] === 0 || cell < 0) continue
+    paint(cell)
+    if (kind !== EVENT.close) continue
+    for (let left = tape.other(i); left > 0; ) {
+      const direction = 31 - Math.clz32(left)
+      left ^= 1 << direction
+      paint(cell + offsets[direction])
+    }
   }
 }
 

@@ -1,13 +1,13 @@
 import type { Cell } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import type { Frame } from '../trace/frame'
-import type { TapeColumns } from '../trace/tape'
+import type { Tape } from '../trace/tape'
 import type { StyledPath } from './path-styles'
 import type { Theme } from './theme'
 
 /** The plan on screen and its picture at this moment. */
 export interface PlanMoment {
-  readonly tape: TapeColumns
+  readonly tape: Tape
   readonly frame: Frame
 }
 

@@ -3,8 +3,8 @@ import { contextOf } from './tile-canvas'
 
 /** One of the canvases on top of each other. It remembers what it was drawn from. */
 export class Sheet {
-  readonly context: CanvasRenderingContext2D
   readonly #canvas: HTMLCanvasElement
+  #context: CanvasRenderingContext2D | null = null
   #drawnFrom: readonly unknown[] = []
   #isBlank = true
 
@@ -13,8 +13,13 @@ export class Sheet {
     this.#canvas.dataset.layer = name
     this.#canvas.setAttribute('aria-hidden', 'true')
     this.#canvas.style.cssText = 'position:absolute;inset:0;pointer-events:none'
-    this.context = contextOf(this.#canvas)
     host.append(this.#canvas)
+  }
+
+  /** Made when it is drawn on first: most sheets of a plan stay blank. */
+  get context(): CanvasRenderingContext2D {
+    this.#context ??= contextOf(this.#canvas)
+    return this.#context
   }
 
   /** Size in CSS pixels. It is empty afterwards. */

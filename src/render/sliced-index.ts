@@ -1,5 +1,5 @@
 import type { Cells } from '../trace/frame'
-import type { TapeColumns } from '../trace/tape'
+import type { Tape } from '../trace/tape'
 import { runFor, type Work } from './work'
 
 /** Makes an index of a list that only grows. */
@@ -17,7 +17,7 @@ export class SlicedIndex<Index> {
   #ready: Index | null = null
   #readyLength = 0
   #indexer: Indexer<Index> | null = null
-  #tape: TapeColumns | null = null
+  #tape: Tape | null = null
   /** Of the list, as far as the indexer was told to take it. */
   #length = 0
   #work: Work<void> | null = null
@@ -37,7 +37,7 @@ export class SlicedIndex<Index> {
   }
 
   /** Goes on for as long as there is time; says whether it is done with the list as it is now. */
-  update(tape: TapeColumns | null, list: Cells, isTimeUp: () => boolean): boolean {
+  update(tape: Tape | null, list: Cells, isTimeUp: () => boolean): boolean {
     if (!tape || list.length === 0) {
       this.#clear()
       return true
@@ -60,7 +60,7 @@ export class SlicedIndex<Index> {
     this.#work = null
   }
 
-  #beginOn(tape: TapeColumns): void {
+  #beginOn(tape: Tape): void {
     // On a map of another size the cells are others; else what the plan before had is better than nothing.
     if (tape.width !== this.#tape?.width || tape.height !== this.#tape.height) this.#clear()
     this.#tape = tape
@@ -69,7 +69,7 @@ export class SlicedIndex<Index> {
     this.#work = null
   }
 
-  *#workOn(tape: TapeColumns, list: Cells): Work<void> {
+  *#workOn(tape: Tape, list: Cells): Work<void> {
     const { length } = list
     if (length < this.#length) this.#indexer = null
     this.#length = length

@@ -1,7 +1,8 @@
 import type { Cell } from '../grid/grid'
 import { EVENT, type EventKind } from './events'
 import { type CellList, type Frame, isFelt, KNOWN, knownOf, SEARCH, searchOf } from './frame'
-import type { TapeColumns } from './tape'
+import { openedBy } from './opened'
+import type { Tape } from './tape'
 
 /** What the planner knows of one cell at one moment. `null` and empty lists: nothing so far. */
 export interface CellFacts {
@@ -36,12 +37,12 @@ export interface CellFacts {
  * What a tape tells of `cell` up to the moment of `frame`. The frame knows most of it, and whether
  * there is anything to look for on the tape, which may be long.
  */
-export function cellFacts(tape: TapeColumns, frame: Frame, cell: Cell): CellFacts {
+export function cellFacts(tape: Tape, frame: Frame, cell: Cell): CellFacts {
   const { attraction, repulsion, potential } = frame.fields
   const { rows, vertices, trail, mLine, path, hits, leaves, nodes } = frame
   const row = Math.floor(cell / tape.width)
   const numbers = (list: CellList, kind: EventKind) =>
-    list.includes(cell) ? eventsAt(tape, frame.time, cell, kind).map((i) => tape.values[i]) : []
+    list.includes(cell) ? eventsAt(tape, frame.time, cell, kind).map((i) => tape.value(i)) : []
   const isOnRoadmap = vertices.includes(cell)
   const [node] = nodes.includes(cell) ? numbers(nodes, EVENT.node).slice(-1) : []
   return {
@@ -77,20 +78,12 @@ function edgesAt({ edges }: Frame, cell: Cell): number {
 const valueAt = (field: Float64Array | null, cell: Cell): number | null =>
   field === null || Number.isNaN(field[cell]) ? null : field[cell]
 
-/** The latest event of one of the kinds at a cell before `time`; -1 if there is none. */
-function latestAt(
-  { kinds, cells }: TapeColumns,
-  time: number,
-  cell: Cell,
-  ...wanted: readonly number[]
-): number {
-  let i = time === 0 ? -1 : cells.lastIndexOf(cell, time - 1)
-  while (i >= 0 && !wanted.includes(kinds[i])) i = i === 0 ? -1 : cells.lastIndexOf(cell, i - 1)
-  return i
-}
+/** The latest event of a kind at a cell before `time`; -1 if there is none. */
+const latestAt = (tape: Tape, time: number, cell: Cell, kind: EventKind): number =>
+  tape.findLast(time, cell, 0, (i) => tape.kind(i) === kind)
 
 /** All events of a kind at a cell before `time`, in their order. */
-function eventsAt(tape: TapeColumns, time: number, cell: Cell, kind: EventKind): number[] {
+function eventsAt(tape: Tape, time: number, cell: Cell, kind: EventKind): number[] {
   const events: number[] = []
   for (let i = latestAt(tape, time, cell, kind); i >= 0; i = latestAt(tape, i, cell, kind)) {
     events.push(i)
@@ -99,27 +92,38 @@ function eventsAt(tape: TapeColumns, time: number, cell: Cell, kind: EventKind):
 }
 
 function searchAt(
-  tape: TapeColumns,
+  tape: Tape,
   frame: Frame,
   cell: Cell,
 ): Pick<CellFacts, 'search' | 'cost' | 'parent'> {
   const search = searchOf(frame, cell)
   if (search === SEARCH.untouched) return { search: null, cost: null, parent: null }
-  const latest = latestAt(tape, frame.time, cell, EVENT.open, EVENT.close)
-  const opened = latestAt(tape, latest + 1, cell, EVENT.open)
-  return {
-    search: search === SEARCH.open ? 'open' : 'closed',
-    cost: tape.values[latest],
-    // A thinned tape does not tell by which way it was reached.
-    parent: opened < 0 ? null : tape.others[opened],
-  }
+  if (search === SEARCH.open) return { search: 'open', ...wayTo(tape, frame.time, cell) }
+  const closed = latestAt(tape, frame.time, cell, EVENT.close)
+  const { parent } = wayTo(tape, closed, cell)
+  return { search: 'closed', cost: tape.value(closed), parent }
 }
 
-function sensedAt(tape: TapeColumns, frame: Frame, cell: Cell): CellFacts['sensed'] {
+/**
+ * The way by which a cell was last reached before `time`. A thinned tape does not always tell it.
+ */
+function wayTo(tape: Tape, time: number, cell: Cell): Pick<CellFacts, 'cost' | 'parent'> {
+  const over = (i: number) => openedBy(tape, i).find((opened) => opened.cell === cell)
+  // A cell that opens its neighbours is one row away at most.
+  const i = tape.findLast(time, cell, tape.width + 1, (event) =>
+    tape.kind(event) === EVENT.open ? tape.cell(event) === cell : over(event) !== undefined,
+  )
+  if (i < 0) return { cost: null, parent: null }
+  return tape.kind(i) === EVENT.open
+    ? { cost: tape.value(i), parent: tape.other(i) }
+    : { cost: over(i)?.cost ?? null, parent: tape.cell(i) }
+}
+
+function sensedAt(tape: Tape, frame: Frame, cell: Cell): CellFacts['sensed'] {
   const known = knownOf(frame, cell)
   if (known === KNOWN.unknown) return null
   const sensed = latestAt(tape, frame.time, cell, EVENT.sense)
   let steps = 0
-  for (let i = 0; i < sensed; i++) if (tape.kinds[i] === EVENT.step) steps++
+  for (let i = 0; i < sensed; i++) if (tape.kind(i) === EVENT.step) steps++
   return { isObstacle: known === KNOWN.obstacle, walked: Math.max(0, steps - 1) }
 }

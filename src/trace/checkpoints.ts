@@ -1,9 +1,9 @@
 import { advance } from './fold'
 import { copyOf, type Frame, firstFrame } from './frame'
-import type { TapeColumns } from './tape'
+import type { Tape } from './tape'
 
 /** Events between two checkpoints: a page folds so many within about an animation frame. */
-const SPACING = 1 << 20
+const SPACING = 1 << 19
 /** The last checkpoint lies so far before the end, from where one steps back most. */
 const BEFORE_END = 1 << 16
 /** Bytes of all checkpoints together; on a tape of large frames there are fewer of them. */
@@ -19,7 +19,7 @@ export interface Folded {
   readonly checkpoints: readonly Frame[]
 }
 
-export function foldWhole(tape: TapeColumns, spacing = SPACING, beforeEnd = BEFORE_END): Folded {
+export function foldWhole(tape: Tape, spacing = SPACING, beforeEnd = BEFORE_END): Folded {
   const last = firstFrame(tape)
   const checkpoints: Frame[] = []
   let bytes = 0

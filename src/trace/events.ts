@@ -1,6 +1,7 @@
 /**
  * What can happen while a planner works. Every event has a cell, a second whole number and a
  * value; the comments say what they hold. -1 stands for "no cell" and for cells outside the map.
+ * Whole numbers lie between -2^23 and 2^23: more than there are cells on any map.
  */
 export const EVENT = {
   /** A phase of the planner's work begins: -, which of its phases. */
@@ -21,7 +22,10 @@ export const EVENT = {
   refuse: 6,
   /** A cell or vertex was reached: cell, parent cell, cost so far. */
   open: 7,
-  /** Its shortest path is final: cell, -, cost. */
+  /**
+   * Its shortest path is final: cell, directions, cost. The neighbours in these directions become
+   * open or get a shorter way with it; 0 or -1 if there are none, or if they have events of their own.
+   */
   close: 8,
   /** A cell of the path that was found, from start to goal: cell. */
   path: 9,

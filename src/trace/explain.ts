@@ -1,7 +1,8 @@
 import { type Cell, cellName } from '../grid/grid'
 import { EVENT, STATUSES, type Status } from './events'
 import type { Frame } from './frame'
-import type { TapeColumns } from './tape'
+import { openedBy } from './opened'
+import type { Tape } from './tape'
 import type { Thinning } from './thinning'
 
 const SIDES = ['left', 'right'] as const
@@ -22,17 +23,17 @@ const ENDS: Record<Status, string> = {
  * @param phases names of the planner's phases
  */
 export function explain(
-  tape: TapeColumns,
+  tape: Tape,
   first: number,
   frame: Frame,
   phases: readonly string[],
 ): string {
-  const cell = tape.cells[first]
-  const other = tape.others[first]
-  const value = tape.values[first]
+  const cell = tape.cell(first)
+  const other = tape.other(first)
+  const value = tape.value(first)
   const name = (place: Cell) => (place < 0 ? 'the border of the map' : cellName(tape.width, place))
   const row = Math.floor(cell / tape.width)
-  switch (tape.kinds[first]) {
+  switch (tape.kind(first)) {
     case EVENT.phase:
       return `${phases[other] ?? `Phase ${other + 1}`}.`
     case EVENT.end: {
@@ -58,7 +59,7 @@ export function explain(
         ? `Start at ${name(cell)} with cost ${number(value)}.`
         : `${name(cell)} gets a shorter way, over ${name(other)}: cost ${number(value)}.`
     case EVENT.close:
-      return `Of all open ones ${name(cell)} comes first, with cost ${number(value)}: its shortest path is final.`
+      return `Of all open ones ${name(cell)} comes first, with cost ${number(value)}: its shortest path is final.${given(openedBy(tape, first).map(({ cell }) => name(cell)))}`
     case EVENT.path:
       return `The parents lead back from the goal: a path of ${count(frame.path.length, 'cell')}.`
     case EVENT.attraction:
@@ -113,6 +114,13 @@ function explainStep(
   if (frame.target >= 0)
     return `Step to ${name(cell)}, along the boundary to ${name(frame.target)}.`
   return `Step to ${name(cell)}, keeping ${name(frame.atSide)} on the ${SIDES[frame.turn]}.`
+}
+
+/** What a cell that is closed gives to those named so: " It gives (1, 2) and (1, 3) a shorter way." */
+function given(names: readonly string[]): string {
+  if (names.length === 0) return ''
+  const others = names.slice(0, -1).join(', ')
+  return ` It gives ${others && `${others} and `}${names.at(-1)} a shorter way.`
 }
 
 const count = (n: number, what: string): string => `${n} ${what}${n === 1 ? '' : 's'}`

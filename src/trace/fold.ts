@@ -1,4 +1,6 @@
+import { stepOffsets } from '../grid/directions'
 import type { Cell } from '../grid/grid'
+import type { Directions } from '../grid/steps'
 import { EVENT } from './events'
 import {
   type CellList,
@@ -13,22 +15,23 @@ import {
   SEARCH_BITS,
 } from './frame'
 import { LongList } from './long-list'
-import type { TapeColumns } from './tape'
+import type { Tape } from './tape'
 
 /** Folds the events from `frame.time` up to `time` into the frame. */
-export function advance(frame: Frame, tape: TapeColumns, time: number): void {
+export function advance(frame: Frame, tape: Tape, time: number): void {
   const end = Math.min(time, tape.length)
+  const offsets = stepOffsets(tape.width)
   const vertices = new LongList(frame.vertices)
   const edges = new LongList(frame.edges)
-  for (let i = frame.time; i < end; i++) fold(frame, tape, i, vertices, edges)
+  for (let i = frame.time; i < end; i++) fold(frame, tape, i, offsets, vertices, edges)
   frame.vertices = vertices.cells
   frame.edges = edges.cells
-  if (end > 0) frame.line = tape.lines[end - 1]
+  if (end > 0) frame.line = tape.line(end - 1)
   frame.time = end
 }
 
 /** The frame after the first `time` events; all of them if `time` is larger. */
-export function frameAt(tape: TapeColumns, time: number): Frame {
+export function frameAt(tape: Tape, time: number): Frame {
   const frame = firstFrame(tape)
   advance(frame, tape, time)
   return frame
@@ -36,15 +39,16 @@ export function frameAt(tape: TapeColumns, time: number): Frame {
 
 function fold(
   frame: Frame,
-  tape: TapeColumns,
+  tape: Tape,
   i: number,
+  offsets: Int32Array,
   vertices: LongList,
   edges: LongList,
 ): void {
-  const cell = tape.cells[i]
-  const other = tape.others[i]
-  const value = tape.values[i]
-  switch (tape.kinds[i]) {
+  const cell = tape.cell(i)
+  const other = tape.other(i)
+  const value = tape.value(i)
+  switch (tape.kind(i)) {
     case EVENT.phase:
       frame.phase = other
       frame.test = null
@@ -73,6 +77,7 @@ function fold(
       break
     case EVENT.close:
       search(frame, cell, SEARCH.closed)
+      openNeighbours(frame, cell, other, offsets)
       frame.cost = value
       break
     case EVENT.path:
@@ -151,6 +156,14 @@ function search(frame: Frame, cell: Cell, now: number): void {
   if (now === SEARCH.open) frame.open++
   else frame.closed++
   cells[cell] = (cells[cell] & ~SEARCH_BITS) | now
+}
+
+function openNeighbours(frame: Frame, cell: Cell, opened: Directions, offsets: Int32Array): void {
+  for (let left = opened; left > 0; ) {
+    const direction = 31 - Math.clz32(left)
+    left ^= 1 << direction
+    search(frame, cell + offsets[direction], SEARCH.open)
+  }
 }
 
 function sense(cells: Uint8Array, cell: Cell, known: number): void {

@@ -1,5 +1,5 @@
 import type { Cell } from '../grid/grid'
-import type { TapeColumns } from './tape'
+import type { Tape } from './tape'
 
 /** What the search knows of a cell. */
 export const SEARCH = { untouched: 0, open: 1, closed: 2 } as const
@@ -96,7 +96,7 @@ export interface Frame {
   line: number
 }
 
-export function firstFrame({ width, height }: TapeColumns): Frame {
+export function firstFrame({ width, height }: Tape): Frame {
   const cells = width * height
   return {
     time: 0,

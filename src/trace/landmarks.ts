@@ -1,5 +1,5 @@
 import { EVENT } from './events'
-import type { TapeColumns } from './tape'
+import type { Tape } from './tape'
 
 /** Events that tell more of the event before them, so that no step ends between the two. */
 export const ATTACHED: ReadonlySet<number> = new Set([
@@ -35,18 +35,18 @@ const isField = marks(FIELDS)
 const isLandmark = marks(LANDMARKS)
 
 /** Whether the event begins a step of its own. */
-function beginsStep({ kinds, cells, width }: TapeColumns, i: number): boolean {
-  const kind = kinds[i]
+function beginsStep(tape: Tape, i: number): boolean {
+  const kind = tape.kind(i)
   if (isAttached[kind]) return false
-  if (isRun[kind]) return i === 0 || kinds[i - 1] !== kind
-  return !isField[kind] || cells[i] % width === 0
+  if (isRun[kind]) return i === 0 || tape.kind(i - 1) !== kind
+  return !isField[kind] || tape.cell(i) % tape.width === 0
 }
 
 /**
  * The moments between which the player steps, as numbers of events: 0, then one after each step,
  * at last the whole tape.
  */
-export function stepsOf(tape: TapeColumns): Int32Array {
+export function stepsOf(tape: Tape): Int32Array {
   const moments = new Int32Array(tape.length + 1)
   let count = 1
   for (let i = 1; i < tape.length; i++) if (beginsStep(tape, i)) moments[count++] = i
@@ -55,10 +55,10 @@ export function stepsOf(tape: TapeColumns): Int32Array {
 }
 
 /** Of the moments of `stepsOf` those that a landmark led to: a hit or leave point, a new phase, the end. */
-export function landmarksOf(tape: TapeColumns, steps: Int32Array): Int32Array {
+export function landmarksOf(tape: Tape, steps: Int32Array): Int32Array {
   const moments: number[] = []
   for (let i = 1; i < steps.length; i++) {
-    if (isLandmark[tape.kinds[steps[i - 1]]]) moments.push(steps[i])
+    if (isLandmark[tape.kind(steps[i - 1])]) moments.push(steps[i])
   }
   return Int32Array.from(moments)
 }

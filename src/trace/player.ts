@@ -1,6 +1,6 @@
 import { advance } from './fold'
 import { copyOf, type Frame, firstFrame } from './frame'
-import type { TapeColumns } from './tape'
+import type { Tape } from './tape'
 
 /** So many events are folded within a fraction of an animation frame. */
 const REACH = 1 << 16
@@ -11,7 +11,7 @@ const REACH = 1 << 16
  * back of many folds little, or one of the checkpoints, so that no jump folds all of a long tape.
  */
 export class Player {
-  readonly tape: TapeColumns
+  readonly tape: Tape
   /** Frames of this tape at rising times. */
   readonly #checkpoints: readonly Frame[]
   readonly #reach: number
@@ -19,7 +19,7 @@ export class Player {
   #kept: Frame | null = null
 
   /** @param reach how many events before the cursor, at most twice as many, the kept frame lies */
-  constructor(tape: TapeColumns, checkpoints: readonly Frame[] = [], reach = REACH) {
+  constructor(tape: Tape, checkpoints: readonly Frame[] = [], reach = REACH) {
     this.tape = tape
     this.#checkpoints = checkpoints
     this.#reach = reach

@@ -48,13 +48,9 @@ export class PosthocSearch {
       case EVENT.refuse:
         this.#between('refuse', cell, other).tellPlace('atX', 'atY', value)
         break
-      case EVENT.open: {
-        const type = this.#opened[cell] ? 'updating' : 'generating'
-        this.#opened[cell] = 1
-        this.#parents[cell] = other
-        this.#searched(type, cell, value)
+      case EVENT.open:
+        this.open(cell, other, value)
         break
-      }
       case EVENT.close:
         this.#expanding = cell
         this.#cost = value
@@ -73,6 +69,14 @@ export class PosthocSearch {
         this.#lines.cell('potential', cell).tellNumber('value', value)
         break
     }
+  }
+
+  /** A cell was reached, for the first time or by a shorter way. */
+  open(cell: Cell, parent: Cell, cost: number): void {
+    const type = this.#opened[cell] ? 'updating' : 'generating'
+    this.#opened[cell] = 1
+    this.#parents[cell] = parent
+    this.#searched(type, cell, cost)
   }
 
   end(cell: Cell): void {

@@ -1,11 +1,12 @@
 import type { Problem } from '../grid/problem'
 import { EVENT, STATUSES } from './events'
 import { ATTACHED } from './landmarks'
+import { openedBy } from './opened'
 import { PosthocDrive } from './posthoc-drive'
 import { PosthocLines } from './posthoc-lines'
 import { PosthocSearch } from './posthoc-search'
 import { posthocPivot, posthocViews } from './posthoc-views'
-import type { TapeColumns } from './tape'
+import type { Tape } from './tape'
 
 /** What a trace says of the run that made it. */
 export interface PosthocInfo {
@@ -29,7 +30,7 @@ const MOST_CHARACTERS = 2e8
  * @throws InputError if the tape is too long for that.
  */
 export function posthocTrace(
-  tape: TapeColumns,
+  tape: Tape,
   info: PosthocInfo,
   most: number = MOST_CHARACTERS,
 ): string {
@@ -52,16 +53,19 @@ function writeEnds(lines: PosthocLines, { problem, plannerId, title, mapFile }: 
   lines.cell('destination', problem.goal)
 }
 
-function writeEvents(lines: PosthocLines, tape: TapeColumns, info: PosthocInfo): void {
+function writeEvents(lines: PosthocLines, tape: Tape, info: PosthocInfo): void {
   const search = new PosthocSearch(lines, tape.width * tape.height)
   const drive = new PosthocDrive(lines)
+  const latest: number[] = []
   for (let i = 0; i < tape.length; i++) {
-    const kind = tape.kinds[i]
+    const kind = tape.kind(i)
     // Told of the event that they belong to.
     if (kind === EVENT.value || kind === EVENT.turn) continue
-    const cell = tape.cells[i]
-    const other = tape.others[i]
-    const value = tape.values[i]
+    const cell = tape.cell(i)
+    const other = tape.other(i)
+    const value = tape.value(i)
+    // Lines of the pseudocode, counted from 1 as they are shown.
+    const line = tape.line(i) + 1
     search.before(kind)
     if (kind === EVENT.phase) {
       lines.begin('phase', `phase ${other + 1}`, null, -1)
@@ -74,25 +78,38 @@ function writeEvents(lines: PosthocLines, tape: TapeColumns, info: PosthocInfo):
       search.write(kind, cell, other, value)
       drive.write(kind, cell, other, value)
     }
-    // Lines of the pseudocode, counted from 1 as they are shown.
-    lines.tellNumber('line', tape.lines[i] + 1)
-    if (!ATTACHED.has(kind)) tellAttached(lines, tape, i, info.variables)
+    lines.tellNumber('line', line)
+    if (!ATTACHED.has(kind)) tellAttached(lines, tape, i, info.variables, latest)
+    for (const opened of openedBy(tape, i)) {
+      search.open(opened.cell, cell, opened.cost)
+      lines.tellNumber('line', line)
+    }
   }
 }
 
-/** Tells what follows event `i` without being an event of its own: a side, numbers decided by. */
+/**
+ * Tells what follows event `i` without being an event of its own: a side, numbers decided by. Of a
+ * cell that is closed all numbers are told, because the tape has only those that are new.
+ * @param latest all numbers so far, by variable
+ */
 function tellAttached(
   lines: PosthocLines,
-  { kinds, others, values, length }: TapeColumns,
+  tape: Tape,
   i: number,
   variables: readonly string[],
+  latest: number[],
 ): void {
   let side = -1
-  const numbers: number[] = []
-  for (let j = i + 1; j < length && ATTACHED.has(kinds[j]); j++) {
-    if (kinds[j] === EVENT.turn) side = others[j]
-    if (kinds[j] === EVENT.value) numbers[others[j]] = values[j]
+  const fresh: number[] = []
+  for (let j = i + 1; j < tape.length && ATTACHED.has(tape.kind(j)); j++) {
+    const other = tape.other(j)
+    if (tape.kind(j) === EVENT.turn) side = other
+    if (tape.kind(j) === EVENT.value) {
+      fresh[other] = tape.value(j)
+      latest[other] = fresh[other]
+    }
   }
+  const numbers = tape.kind(i) === EVENT.close ? latest : fresh
   if (side >= 0) lines.tell('obstacleOn', side === 0 ? '"left"' : '"right"')
   numbers.forEach((number, variable) => {
     lines.tellNumber(variables[variable] ?? `variable ${variable + 1}`, number)
@@ -100,11 +117,11 @@ function tellAttached(
 }
 
 /** At least 1, so that it can be divided by. */
-function highestPotential({ kinds, values, length }: TapeColumns): number {
+function highestPotential(tape: Tape): number {
   let highest = 1
-  for (let i = 0; i < length; i++) {
-    if (kinds[i] === EVENT.potential && Number.isFinite(values[i])) {
-      highest = Math.max(highest, values[i])
+  for (let i = 0; i < tape.length; i++) {
+    if (tape.kind(i) === EVENT.potential && Number.isFinite(tape.value(i))) {
+      highest = Math.max(highest, tape.value(i))
     }
   }
   return highest

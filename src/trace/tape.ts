@@ -2,74 +2,131 @@ import type { Cell } from '../grid/grid'
 import type { EventKind } from './events'
 import { LEFT_OUT, type Thinning } from './thinning'
 
-const FIRST_ROOM = 1024
-
 /**
- * So many events make about 180 MB. A tape that comes to so many leaves out what is small from its
- * first event on; if that is not enough, all that comes later.
+ * So many events make 160 MB. A tape that comes to so many leaves out what is small from its first
+ * event on; if that is not enough, all that comes later.
  */
 const MOST_EVENTS = 10_000_000
 
-/** The columns of a tape, one entry an event; the arrays may be longer than `length`. */
-export interface TapeColumns {
+/** Events are kept in chunks of so many, so that nothing is copied when a tape grows. */
+const CHUNK_BITS = 12
+const CHUNK = 1 << CHUNK_BITS
+const PLACE = CHUNK - 1
+
+/**
+ * An event has 16 bytes. In the first word are its cell and its kind, in the second one its other
+ * number and its line, each number of up to 23 bits above eight bits; its value takes the other two.
+ */
+const EVENT_BYTES = 16
+const EVENT_WORDS = 4
+
+/** What a tape is made of: all that there is to be sent to another thread. */
+export interface TapeData {
   /** Size of the map in cells. */
   readonly width: number
   readonly height: number
-  readonly length: number
-  readonly kinds: Uint8Array
-  /** Line of the planner's pseudocode, counted from 0. */
-  readonly lines: Uint8Array
-  readonly cells: Int32Array
-  readonly others: Int32Array
-  readonly values: Float64Array
+  /** What a diagonal step costs, a straight one being 1. */
+  readonly diagonalCost: number
   readonly thinning: Thinning
+  readonly length: number
+  /** The events, in chunks of one size, the last one as long as it must be. To be transferred. */
+  readonly buffers: ArrayBuffer[]
 }
 
-/**
- * What a planner did, event by event. Kept as columns so that writing allocates nothing per event
- * and a worker can hand it over without a copy.
- */
-export class Tape implements TapeColumns {
+/** What a planner did, event by event. Writing allocates nothing per event. */
+export class Tape {
   width = 0
   height = 0
-  length = 0
-  kinds = new Uint8Array(FIRST_ROOM)
-  lines = new Uint8Array(FIRST_ROOM)
-  cells = new Int32Array(FIRST_ROOM)
-  others = new Int32Array(FIRST_ROOM)
-  values = new Float64Array(FIRST_ROOM)
+  diagonalCost = 1
   thinning: Thinning = 'whole'
   readonly #most: number
-  /** While there are fewer events than this, writing needs no thought. */
-  #easy = FIRST_ROOM
   /** Where the planner is in its pseudocode; every event is stamped with it. */
-  line = 0
+  #line = 0
+  /** The chunks, as words and as values. */
+  #chunks: Int32Array<ArrayBuffer>[] = []
+  #chunkValues: Float64Array<ArrayBuffer>[] = []
+  /** The chunk that is written on, and how many events it has. */
+  #chunk = 0
+  #words = new Int32Array(0)
+  #values = new Float64Array(0)
+  #used = 0
+  /** While the chunk has fewer events than this, writing needs no thought. */
+  #easy = 0
 
   /** @param most how many events there may be before some are left out */
   constructor(most = MOST_EVENTS) {
     this.#most = most
   }
 
-  /** A tape around columns that came from a worker. */
-  static from(columns: TapeColumns): Tape {
-    const tape = Object.assign(new Tape(), columns)
-    tape.#markEasy()
+  /** A tape of what another one handed over, in this thread or another. */
+  static from({ width, height, diagonalCost, thinning, length, buffers }: TapeData): Tape {
+    const tape = new Tape()
+    tape.width = width
+    tape.height = height
+    tape.diagonalCost = diagonalCost
+    tape.thinning = thinning
+    tape.#chunks = buffers.map((buffer) => new Int32Array(buffer))
+    tape.#chunkValues = buffers.map((buffer) => new Float64Array(buffer))
+    tape.#goTo(length)
     return tape
   }
 
-  /** Forgets what is written and starts anew for a map of this size. */
-  begin(width: number, height: number): void {
+  /**
+   * Forgets what is written and starts anew for a map of this size.
+   * @param diagonalCost what a diagonal step costs, a straight one being 1
+   */
+  begin(width: number, height: number, diagonalCost = 1): void {
     this.width = width
     this.height = height
-    this.length = 0
-    this.line = 0
-    this.#thin('whole')
+    this.diagonalCost = diagonalCost
+    this.thinning = 'whole'
+    this.#line = 0
+    this.#goTo(0)
   }
 
-  /** Makes room for so many more events at once: growing bit by bit takes longer than writing. */
-  reserve(events: number): void {
-    const room = Math.min(this.length + events, this.#most)
-    if (room > this.kinds.length) this.#resize(room)
+  get length(): number {
+    return (this.#chunk << CHUNK_BITS) + this.#used
+  }
+
+  // What is written in the event of a number from 0 up to the length. One of EVENT:
+  kind(event: number): number {
+    return this.#chunks[event >> CHUNK_BITS][(event & PLACE) * EVENT_WORDS] & 255
+  }
+
+  /** Line of the planner's pseudocode, counted from 0. */
+  line(event: number): number {
+    return this.#chunks[event >> CHUNK_BITS][(event & PLACE) * EVENT_WORDS + 1] & 255
+  }
+
+  cell(event: number): Cell {
+    return this.#chunks[event >> CHUNK_BITS][(event & PLACE) * EVENT_WORDS] >> 8
+  }
+
+  other(event: number): number {
+    return this.#chunks[event >> CHUNK_BITS][(event & PLACE) * EVENT_WORDS + 1] >> 8
+  }
+
+  value(event: number): number {
+    return this.#chunkValues[event >> CHUNK_BITS][(event & PLACE) * 2 + 1]
+  }
+
+  /**
+   * The last of the first `before` events of which `holds` is true, among those at a cell whose
+   * number is at most `reach` away from that of `cell`; -1 if there is none. Millions of events
+   * elsewhere are passed over in milliseconds.
+   */
+  findLast(before: number, cell: Cell, reach: number, holds: (event: number) => boolean): number {
+    const least = (cell - reach) << 8
+    const most = ((cell + reach) << 8) | 255
+    for (let chunk = (before - 1) >> CHUNK_BITS; chunk >= 0; chunk--) {
+      const words = this.#chunks[chunk]
+      const first = chunk << CHUNK_BITS
+      for (let i = Math.min(before - first, CHUNK) - 1; i >= 0; i--) {
+        const word = words[i * EVENT_WORDS]
+        if (word >= least && word <= most && holds(first + i)) return first + i
+      }
+    }
+    return -1
   }
 
   /** The cell at (x, y); -1 outside the map. */
@@ -80,106 +137,95 @@ export class Tape implements TapeColumns {
 
   /** Says that the planner is at this line of its pseudocode, counted from 0. */
   at(line: number): this {
-    this.line = line
+    this.#line = line
     return this
   }
 
   write(kind: EventKind, cell: Cell = -1, other = -1, value = 0): void {
-    if (this.length >= this.#easy && !this.#makeRoomFor(kind)) return
-    const i = this.length
-    this.kinds[i] = kind
-    this.lines[i] = this.line
-    this.cells[i] = cell
-    this.others[i] = other
-    this.values[i] = value
-    this.length = i + 1
+    if (this.#used >= this.#easy && !this.#makeRoomFor(kind)) return
+    const i = this.#used
+    const words = this.#words
+    words[i * EVENT_WORDS] = (cell << 8) | kind
+    words[i * EVENT_WORDS + 1] = (other << 8) | this.#line
+    this.#values[i * 2 + 1] = value
+    this.#used = i + 1
   }
 
-  /** An event of this kind for each cell of the map, one after the other, with the cell's value. */
-  writeField(kind: EventKind, field: Float64Array): void {
-    const from = this.length
-    const to = from + field.length
-    if (this.thinning !== 'whole' || to > this.#most) {
-      for (let cell = 0; cell < field.length; cell++) this.write(kind, cell, -1, field[cell])
-      return
-    }
-    this.reserve(field.length)
-    this.kinds.fill(kind, from, to)
-    this.lines.fill(this.line, from, to)
-    for (let cell = 0; cell < field.length; cell++) this.cells[from + cell] = cell
-    this.others.fill(-1, from, to)
-    this.values.set(field, from)
-    this.length = to
-  }
-
-  /** Hands over the columns, and the buffers to transfer with them. The tape is empty then. */
-  release(): { columns: TapeColumns; buffers: ArrayBuffer[] } {
-    if (this.length < this.kinds.length / 2) this.#resize(this.length)
-    const { width, height, length, thinning, kinds, lines, cells, others, values } = this
-    const columns = { width, height, length, thinning, kinds, lines, cells, others, values }
-    Object.assign(this, new Tape(this.#most))
-    this.begin(width, height)
-    return { columns, buffers: [kinds, lines, cells, others, values].map((c) => c.buffer) }
+  /** Hands over all that is written. The tape is empty then. */
+  release(): TapeData {
+    const { width, height, diagonalCost, thinning, length } = this
+    const count = Math.ceil(length / CHUNK)
+    const buffers = this.#chunks.slice(0, count).map(({ buffer }, chunk) => {
+      const events = Math.min(length - chunk * CHUNK, CHUNK)
+      return events < CHUNK ? buffer.slice(0, events * EVENT_BYTES) : buffer
+    })
+    this.#chunks = []
+    this.#chunkValues = []
+    this.begin(width, height, diagonalCost)
+    return { width, height, diagonalCost, thinning, length, buffers }
   }
 
   /** Whether an event of this kind is to be written; if so, there is room for it then. */
   #makeRoomFor(kind: EventKind): boolean {
     while (!LEFT_OUT[this.thinning][kind]) {
-      if (this.length < this.kinds.length) return true
-      this.#grow()
+      if (this.length >= this.#most) this.#leaveOutMore()
+      else {
+        if (this.#used * EVENT_WORDS === this.#words.length) this.#grow()
+        return true
+      }
     }
     return false
   }
 
-  #markEasy(): void {
-    this.#easy = this.thinning === 'whole' ? this.kinds.length : 0
+  /** Goes on behind so many events. */
+  #goTo(length: number): void {
+    const chunk = length >> CHUNK_BITS
+    this.#chunk = chunk
+    this.#used = length & PLACE
+    this.#words = this.#chunks[chunk] ?? new Int32Array(0)
+    this.#values = this.#chunkValues[chunk] ?? new Float64Array(0)
+    const room = Math.min(this.#words.length / EVENT_WORDS, this.#most - chunk * CHUNK)
+    this.#easy = this.thinning === 'whole' ? room : 0
   }
 
+  /** Makes room behind a chunk that is full, or that was handed over as long as it had to be. */
   #grow(): void {
     const { length } = this
-    if (length < this.#most) this.#resize(Math.min(Math.max(2 * length, FIRST_ROOM), this.#most))
-    else if (this.thinning === 'whole') this.#thin('thinned')
-    else {
-      this.#thin('cut')
+    const chunk = length >> CHUNK_BITS
+    const before = this.#chunks[chunk]
+    if (before === undefined || before.length < CHUNK * EVENT_WORDS) {
+      const buffer = new ArrayBuffer(CHUNK * EVENT_BYTES)
+      this.#chunks[chunk] = new Int32Array(buffer)
+      this.#chunkValues[chunk] = new Float64Array(buffer)
+      if (before) this.#chunks[chunk].set(before)
+    }
+    this.#goTo(length)
+  }
+
+  #leaveOutMore(): void {
+    if (this.thinning === 'whole') {
+      this.thinning = 'thinned'
+      this.#goTo(this.#dropped(LEFT_OUT.thinned))
+    } else {
+      this.thinning = 'cut'
       // Room for the one event that is still to come, the end.
-      this.length--
+      this.#goTo(this.length - 1)
     }
   }
 
-  #thin(thinning: Thinning): void {
-    this.thinning = thinning
-    this.#markEasy()
-    if (thinning !== 'thinned') return
-    const leftOut = LEFT_OUT[thinning]
+  /** Moves the events that are kept together; returns how many they are. */
+  #dropped(leftOut: Uint8Array): number {
+    const { length } = this
     let kept = 0
-    for (let i = 0; i < this.length; i++) {
-      if (leftOut[this.kinds[i]]) continue
-      this.kinds[kept] = this.kinds[i]
-      this.lines[kept] = this.lines[i]
-      this.cells[kept] = this.cells[i]
-      this.others[kept] = this.others[i]
-      this.values[kept] = this.values[i]
+    for (let i = 0; i < length; i++) {
+      if (leftOut[this.kind(i)]) continue
+      const from = (i & PLACE) * EVENT_WORDS
+      const to = (kept & PLACE) * EVENT_WORDS
+      const source = this.#chunks[i >> CHUNK_BITS]
+      const target = this.#chunks[kept >> CHUNK_BITS]
+      for (let word = 0; word < EVENT_WORDS; word++) target[to + word] = source[from + word]
       kept++
     }
-    this.length = kept
+    return kept
   }
-
-  #resize(room: number): void {
-    const { kinds, lines, cells, others, values, length } = this
-    this.kinds = copied(kinds, new Uint8Array(room), length)
-    this.lines = copied(lines, new Uint8Array(room), length)
-    this.cells = copied(cells, new Int32Array(room), length)
-    this.others = copied(others, new Int32Array(room), length)
-    this.values = copied(values, new Float64Array(room), length)
-    this.#markEasy()
-  }
-}
-
-function copied<Column extends Uint8Array | Int32Array | Float64Array>(
-  from: Column,
-  to: Column,
-  length: number,
-): Column {
-  to.set(from.subarray(0, length))
-  return to
 }

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest'
 import { runAlong, straightRuns } from '../../src/algorithms/grid-search/straight-runs'
-import { SUCCESSORS } from '../../src/algorithms/grid-search/successors'
+import { successorsUnder } from '../../src/algorithms/grid-search/successors'
 import { DX, DY, stepOffsets } from '../../src/grid/directions'
 import type { Grid } from '../../src/grid/grid'
 import { allLegalSteps } from '../../src/grid/legal-steps'
@@ -35,7 +35,7 @@ describe.each(DIAGONAL_RULES)('straight runs under %s', (rule) => {
           let steps = 0
           for (let at = cell; ways === 1 << d; steps++) {
             at += offsets[d]
-            ways = SUCCESSORS[rule][(d << 8) | legal[at]]
+            ways = successorsUnder(rule)[(d << 8) | legal[at]]
           }
           const { marks, wordsEach, first } = runs[d]
           const [x, y] = [cell % width, Math.floor(cell / width)]

@@ -21,7 +21,8 @@ class FakeWorker implements PlanningWorker {
     const { id } = this.questions[this.questions.length - 1]
     const { outcome, tape, last, checkpoints, milliseconds } = planned(base)
     const score = scoreOf(tape)
-    this.say({ kind: 'planned', id, outcome, tape, last, checkpoints, score, milliseconds })
+    const data = tape.release()
+    this.say({ kind: 'planned', id, outcome, tape: data, last, checkpoints, score, milliseconds })
   }
   say(answer: WorkerAnswer): void {
     this.onmessage?.({ data: answer })

@@ -25,10 +25,10 @@ test('work is timed in turn, ours first, by the units that it did', () => {
   expect(ours.length).toBe(peer.length)
   expect(ours.length).toBeGreaterThanOrEqual(5)
   expect(new Set([...ours, ...peer])).toEqual(new Set([30]))
-  // Warming up: at least 100 ms and three times each. Beside long work, short work is warmed up
-  // again for each sample.
+  // Warming up: at least 100 ms and three times each. Beside long work, both are warmed up again for
+  // each sample.
   const warmUp = ['ours', 'ours', 'ours', 'ours', 'peer', 'peer', 'peer']
-  const round = ['ours', 'ours', 'peer']
+  const round = ['ours', 'ours', 'peer', 'peer']
   expect(turns).toEqual([...warmUp, ...ours.flatMap(() => round)])
 })
 
@@ -41,7 +41,11 @@ test('very short work is repeated within a sample, very long work is done three 
   expect([count('ours'), count('peer')]).toEqual([200 + 15 * 20, 50 + 15 * 5])
   turns.length = 0
   expect(timeInTurn(work('ours', 101, 1), work('peer', 5000, 1)).peer).toHaveLength(3)
-  expect([count('ours'), count('peer')]).toEqual([3 + 3, 1 + 3])
+  expect([count('ours'), count('peer')]).toEqual([3 + 2 * 3, 1 + 3])
+})
+
+test('where little is between the two, ten times as many samples are taken', () => {
+  expect(timeInTurn(work('ours', 5, 1), work('peer', 5, 1), true).ours).toHaveLength(150)
 })
 
 test('work is warmed up until it becomes no faster', () => {

@@ -13,8 +13,8 @@ function landmarkPlaces(world: World, tape: Tape, kind: number): XY[] {
   const places: XY[] = []
   for (const moment of landmarksOf(tape, steps)) {
     const first = steps[steps.indexOf(moment) - 1]
-    const cell = tape.cells[first]
-    if (tape.kinds[first] === kind) {
+    const cell = tape.cell(first)
+    if (tape.kind(first) === kind) {
       places.push([cell % world.width, Math.floor(cell / world.width)])
     }
   }

@@ -18,13 +18,13 @@ function fieldNumber(index: number): Field {
 function mustHavePotentials(name: string, world: World, field: Field, tape: Tape): void {
   let found = 0
   for (let i = 0; i < tape.length; i++) {
-    if (tape.kinds[i] !== EVENT.potential) continue
-    const [cell] = placesOf(world, [tape.cells[i]])
+    if (tape.kind(i) !== EVENT.potential) continue
+    const [cell] = placesOf(world, [tape.cell(i)])
     const wall = isWall(world, cell[0], cell[1])
     const expected = wall ? Number.POSITIVE_INFINITY : potentialAt(world, field, cell)
     must(
-      isClose(tape.values[i], expected),
-      () => `${name}: potential ${tape.values[i]} at ${cell} instead of ${expected}`,
+      isClose(tape.value(i), expected),
+      () => `${name}: potential ${tape.value(i)} at ${cell} instead of ${expected}`,
     )
     if (!wall) found++
   }

@@ -9,7 +9,7 @@ import { freeCells, isWall, placesOf, type World, type XY } from '../reference/w
 function drawnVertices(world: World, tape: Tape): XY[] {
   const cells: number[] = []
   for (let i = 0; i < tape.length; i++) {
-    if (tape.kinds[i] === EVENT.vertex) cells.push(tape.cells[i])
+    if (tape.kind(i) === EVENT.vertex) cells.push(tape.cell(i))
   }
   return placesOf(world, cells)
 }

@@ -58,7 +58,7 @@ test('every step has its reason, and the last one is a landmark', { timeout: LON
           () => `${name}: step ${i} is explained as "${sentence}"`,
         )
       }
-      must(tape.kinds[tape.length - 1] === EVENT.end, () => `${name}: no end on the tape`)
+      must(tape.kind(tape.length - 1) === EVENT.end, () => `${name}: no end on the tape`)
       must(landmarksOf(tape, steps).at(-1) === tape.length, () => `${name}: the end is no landmark`)
     }
   })

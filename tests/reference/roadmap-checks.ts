@@ -1,4 +1,4 @@
-import { EVENT, type TapeColumns } from '../../src/index'
+import { EVENT, type Tape } from '../../src/index'
 import { isClose, must } from './cases'
 import { type Edge, shortestOnRoadmap } from './roadmap'
 import type { Run } from './run'
@@ -48,7 +48,7 @@ export function mustBeAsGood(starred: Run, { outcome }: Run): void {
 export function mustHaveOnTape(
   world: World,
   name: string,
-  tape: TapeColumns,
+  tape: Tape,
   vertices: readonly XY[],
   edges: readonly Edge[],
   cost: CostName,
@@ -56,12 +56,12 @@ export function mustHaveOnTape(
   const drawnVertices: string[] = []
   const drawnEdges = new Map<string, number>()
   for (let i = 0; i < tape.length; i++) {
-    if (tape.kinds[i] === EVENT.vertex) {
-      drawnVertices.push(String(placesOf(world, [tape.cells[i]])[0]))
-    } else if (tape.kinds[i] === EVENT.edge) {
-      const key = edgeName(placesOf(world, [tape.cells[i], tape.others[i]]))
+    if (tape.kind(i) === EVENT.vertex) {
+      drawnVertices.push(String(placesOf(world, [tape.cell(i)])[0]))
+    } else if (tape.kind(i) === EVENT.edge) {
+      const key = edgeName(placesOf(world, [tape.cell(i), tape.other(i)]))
       must(!drawnEdges.has(key), () => `${name}: edge ${key} is on the tape twice`)
-      drawnEdges.set(key, tape.values[i])
+      drawnEdges.set(key, tape.value(i))
     }
   }
   const expected = vertices.map(String).sort().join(' ')

@@ -1,4 +1,4 @@
-import { EVENT, type TapeColumns } from '../../src/index'
+import { EVENT, type Tape } from '../../src/index'
 import { type Follower, followOn, isBoxedIn, obstacleInTheWay, type Turn } from './boundary'
 import { must } from './cases'
 import { isFree, isNearer, isSame, isWall, placesOf, simplest, type World, type XY } from './world'
@@ -13,7 +13,7 @@ interface Followed {
 export function mustLeaveWhenNearer(
   name: string,
   world: World,
-  tape: TapeColumns,
+  tape: Tape,
   range: number,
   turn: Turn,
 ): void {
@@ -28,12 +28,12 @@ export function mustLeaveWhenNearer(
   }
 }
 
-function boundariesOn(world: World, tape: TapeColumns): Followed[] {
+function boundariesOn(world: World, tape: Tape): Followed[] {
   const found: Followed[] = []
   let places: XY[] | undefined
   for (let i = 0; i < tape.length; i++) {
-    const kind = tape.kinds[i]
-    const [cell] = placesOf(world, [tape.cells[i]])
+    const kind = tape.kind(i)
+    const [cell] = placesOf(world, [tape.cell(i)])
     if (kind === EVENT.hit) places = [cell]
     else if (kind === EVENT.step) places?.push(cell)
     else if (kind === EVENT.leave && places) {

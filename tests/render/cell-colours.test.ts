@@ -8,6 +8,7 @@ import type { Scene, Sight } from '../../src/render/scene'
 import { themes } from '../../src/render/theme'
 import { EVENT, type EventKind } from '../../src/trace/events'
 import { Player } from '../../src/trace/player'
+import { kindsOf } from '../trace/written'
 import { momentOf, sceneOf, tapeOf } from './scenes'
 
 const { cell, obstacle } = themes.dark
@@ -51,10 +52,10 @@ describe('the colour of a cell', () => {
     const names = { '.': cell.free, '#': obstacle.seen, o: cell.open, c: cell.closed }
     const at = (time: number) => letters(sceneOf(corridor, { plan: momentOf(tape, time) }), names)
     expect(at(0)).toEqual(['.......', '#####.#', '.......'])
-    // Opened the start, closed it, opened its one neighbour, closed that, opened the next.
-    const search = tape.kinds.indexOf(EVENT.open)
+    // Opened the start, closed it and opened its one neighbour, closed that and opened the next.
+    const search = kindsOf(tape).indexOf(EVENT.open)
     expect(at(search)).toEqual(at(0))
-    expect(at(search + 5)).toEqual(['cco....', '#####.#', '.......'])
+    expect(at(search + 3)).toEqual(['cco....', '#####.#', '.......'])
     expect(at(tape.length)[2]).toBe('....coo')
   })
 
@@ -141,7 +142,7 @@ describe('fields', () => {
   const heat = heatColours(themes.dark).map(pixelOf)
   const at = (time: number) =>
     colours(sceneOf(problem, { plan: momentOf(tape, time), showPotential: true }))
-  const lastOf = (kind: EventKind) => tape.kinds.lastIndexOf(kind) + 1
+  const lastOf = (kind: EventKind) => kindsOf(tape).lastIndexOf(kind) + 1
 
   it('come one after the other, each with a range of its own', () => {
     const attraction = at(lastOf(EVENT.attraction))
@@ -155,7 +156,7 @@ describe('fields', () => {
   })
 
   it('leave cells plain that have no value so far, in spite of the field before', () => {
-    const first = tape.kinds.indexOf(EVENT.repulsion)
+    const first = kindsOf(tape).indexOf(EVENT.repulsion)
     expect(at(first)[9]).toBe(heat[255])
     const [free] = pixels(cell.free)
     expect([...at(first + 2).subarray(0, 4)]).toEqual([heat[0], heat[0], free, free])

@@ -7,6 +7,7 @@ import { themes } from '../../src/render/theme'
 import { EVENT } from '../../src/trace/events'
 import { firstFrame } from '../../src/trace/frame'
 import { Player } from '../../src/trace/player'
+import { kindsOf } from '../trace/written'
 import { momentOf, randomProblem, sceneOf, tapeOf } from './scenes'
 
 const SIGHTS = ['both', 'world', 'known'] as const
@@ -74,14 +75,13 @@ describe('painting only what is new', () => {
       const frame = player.moveTo(time)
       return image.update(sceneOf(problem, { plan: { tape, frame } }))
     }
-    const search = tape.kinds.indexOf(EVENT.open)
+    const search = kindsOf(tape).indexOf(EVENT.open)
     expect(at(0)).toMatchObject([{ left: 0, top: 0, right: 20, bottom: 10 }])
     expect(at(search)).toEqual([])
-    expect(at(search + 2)).toMatchObject([{ left: 0, top: 0, right: 1, bottom: 1 }])
-    const third = tape.cells[search + 2]
-    const [x, y] = [third % 20, Math.floor(third / 20)]
-    expect(at(search + 3)).toMatchObject([{ left: x, top: y, right: x + 1, bottom: y + 1 }])
-    expect(at(search + 2)).toMatchObject([{ left: x, top: y, right: x + 1, bottom: y + 1 }])
+    expect(at(search + 1)).toMatchObject([{ left: 0, top: 0, right: 1, bottom: 1 }])
+    // The start is closed, and its three neighbours are open with that.
+    expect(at(search + 2)).toMatchObject([{ left: 0, top: 0, right: 2, bottom: 2 }])
+    expect(at(search + 1)).toMatchObject([{ left: 0, top: 0, right: 2, bottom: 2 }])
   })
 
   it('paints an edit where it was made', () => {

@@ -6,6 +6,7 @@ import { railAngle } from '../../src/render/layers/following'
 import { EVENT } from '../../src/trace/events'
 import { type Frame, firstFrame } from '../../src/trace/frame'
 import { Tape } from '../../src/trace/tape'
+import { kindsOf } from '../trace/written'
 import { momentOf, sceneOf, tapeOf } from './scenes'
 
 const problem = problemFromText('S....\n..#..\n....G')
@@ -14,9 +15,9 @@ describe('what is shown only while it is the current thing', () => {
   it('are the dots of the rows, while the map is made a graph', () => {
     const tape = tapeOf(problem, 'decomposition')
     const at = (time: number) => dottedRows(sceneOf(problem, { plan: momentOf(tape, time) }))
-    const first = tape.kinds.indexOf(EVENT.row)
+    const first = kindsOf(tape).indexOf(EVENT.row)
     expect([at(0), at(first), at(first + 1), at(first + 3)]).toEqual([0, 0, 1, 3])
-    expect(at(tape.kinds.indexOf(EVENT.open))).toBe(0)
+    expect(at(kindsOf(tape).indexOf(EVENT.open))).toBe(0)
     expect(at(tape.length)).toBe(0)
     expect(dottedRows(sceneOf(problem))).toBe(0)
   })
@@ -25,11 +26,11 @@ describe('what is shown only while it is the current thing', () => {
     const tape = tapeOf(problem, 'visibility-graph')
     const at = (time: number) =>
       Array.from(latestEdge(sceneOf(problem, { plan: momentOf(tape, time) })))
-    const first = tape.kinds.indexOf(EVENT.edge)
+    const first = kindsOf(tape).indexOf(EVENT.edge)
     expect(at(first)).toEqual([])
-    expect(at(first + 1)).toEqual([tape.cells[first], tape.others[first]])
-    const last = tape.kinds.lastIndexOf(EVENT.edge)
-    expect(at(last + 1)).toEqual([tape.cells[last], tape.others[last]])
+    expect(at(first + 1)).toEqual([tape.cell(first), tape.other(first)])
+    const last = kindsOf(tape).lastIndexOf(EVENT.edge)
+    expect(at(last + 1)).toEqual([tape.cell(last), tape.other(last)])
     expect(at(last + 2)).toEqual([])
     expect(at(0)).toEqual([])
   })
@@ -46,11 +47,11 @@ describe('the three cells of a test for a corner', () => {
     const tape = tapeOf(problem, 'visibility-graph')
     let tests = 0
     for (let i = 0; i < tape.length; i++) {
-      if (tape.kinds[i] !== EVENT.test) continue
+      if (tape.kind(i) !== EVENT.test) continue
       tests++
-      const cells = testedCells(5, tape.cells[i], tape.others[i])
+      const cells = testedCells(5, tape.cell(i), tape.other(i))
       const free = cells.every((cell) => problem.grid.walls[cell] === 0)
-      expect(free ? 1 : 0).toBe(tape.values[i])
+      expect(free ? 1 : 0).toBe(tape.value(i))
     }
     expect(tests).toBe(4)
   })

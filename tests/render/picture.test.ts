@@ -8,6 +8,7 @@ import { EVENT } from '../../src/trace/events'
 import { frameAt } from '../../src/trace/fold'
 import { Player } from '../../src/trace/player'
 import { Tape } from '../../src/trace/tape'
+import { kindsOf } from '../trace/written'
 import { momentOf, randomProblem, sceneOf, tapeOf } from './scenes'
 
 /** Canvases that draw nothing and count what is asked of them, by the name of their layer. */
@@ -90,7 +91,7 @@ describe('a picture redraws only what has changed', () => {
     const at = (time: number) =>
       drawn(() => picture.draw({ ...scene, plan: momentOf(tape, time) }, view))
     for (const kind of [EVENT.test, EVENT.refuse]) {
-      const first = tape.kinds.indexOf(kind)
+      const first = kindsOf(tape).indexOf(kind)
       at(first)
       expect(at(first + 1)).toEqual(['marks'])
     }
@@ -137,7 +138,7 @@ describe('a picture redraws only what has changed', () => {
 
   it('the cells when rows of them become vertices', () => {
     const tape = tapeOf(problem, 'decomposition')
-    const first = tape.kinds.indexOf(EVENT.row)
+    const first = kindsOf(tape).indexOf(EVENT.row)
     const scene = sceneOf(problem, { plan: momentOf(tape, first) })
     const picture = pictureOf(scene)
     const next = { ...scene, plan: momentOf(tape, first + 1) }
@@ -146,7 +147,7 @@ describe('a picture redraws only what has changed', () => {
 
   it('the same frame again, once it has advanced', () => {
     const player = new Player(tapeOf(problem, 'decomposition'))
-    const search = player.tape.kinds.indexOf(EVENT.open)
+    const search = kindsOf(player.tape).indexOf(EVENT.open)
     const plan = { tape: player.tape, frame: player.moveTo(search + 4) }
     const scene = sceneOf(problem, { plan })
     const picture = pictureOf(scene)
@@ -158,8 +159,7 @@ describe('a picture redraws only what has changed', () => {
 
   it('the roadmap while its edges come, and not when the search goes on', () => {
     const tape = tapeOf(problem, 'visibility-graph')
-    const { kinds, length } = tape
-    const lastEdge = kinds.subarray(0, length).lastIndexOf(EVENT.edge)
+    const lastEdge = kindsOf(tape).lastIndexOf(EVENT.edge)
     const scene = sceneOf(problem, { plan: momentOf(tape, lastEdge - 5) })
     const picture = pictureOf(scene)
     const at = (time: number) =>

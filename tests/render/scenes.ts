@@ -4,13 +4,13 @@ import { randomNumbers } from '../../src/grid/random'
 import type { Scene } from '../../src/render/scene'
 import { themes } from '../../src/render/theme'
 import { frameAt } from '../../src/trace/fold'
-import { Tape, type TapeColumns } from '../../src/trace/tape'
+import { Tape } from '../../src/trace/tape'
 
 /** What a planner writes on its tape. */
-export function tapeOf(problem: Problem, planner: string): TapeColumns {
+export function tapeOf(problem: Problem, planner: string): Tape {
   const tape = new Tape()
   plan(problem, planner, { tape })
-  return tape.release().columns
+  return tape
 }
 
 /** A dark scene without a plan; change what the test is about. */
@@ -30,7 +30,7 @@ export function sceneOf(problem: Problem, changes: Partial<Scene> = {}): Scene {
 }
 
 /** The plan on a tape after `time` events; all of them if nothing is said. */
-export function momentOf(tape: TapeColumns, time = tape.length) {
+export function momentOf(tape: Tape, time = tape.length) {
   return { tape, frame: frameAt(tape, time) }
 }
 

@@ -1,5 +1,6 @@
 import fc from 'fast-check'
 import { EVENT, EVENT_NAMES, type EventKind, Tape } from '../../src/index'
+import { directionsInside } from './written'
 
 export const WIDTH = 6
 export const HEIGHT = 4
@@ -14,13 +15,17 @@ export interface Event {
 
 const cells = fc.nat({ max: WIDTH * HEIGHT - 1 })
 
-/** Any event as a planner may write it: those that have no cell carry -1. */
+/**
+ * Any event as a planner may write it: those that have no cell carry -1, and those that close a cell
+ * the directions of some of its neighbours.
+ */
 const event: fc.Arbitrary<Event> = fc
   .record({
     name: fc.constantFrom(...EVENT_NAMES),
     line: fc.nat({ max: 20 }),
     cell: cells,
     other: cells,
+    directions: fc.nat({ max: 255 }),
     outside: fc.boolean(),
     value: fc.oneof(
       fc.integer(),
@@ -28,10 +33,12 @@ const event: fc.Arbitrary<Event> = fc
       fc.double({ noNaN: true }),
     ),
   })
-  .map(({ name, line, cell, other, outside, value }) => {
+  .map(({ name, line, cell, other, directions, outside, value }) => {
     const noCell = name === 'value' || (outside && (name === 'feel' || name === 'target'))
     const small = name === 'sense' || name === 'turn' ? other % 2 : other
-    return { kind: EVENT[name], line, cell: noCell ? -1 : cell, other: small, value }
+    const opened = outside ? -1 : directions & directionsInside(cell, WIDTH, HEIGHT)
+    const second = name === 'close' ? opened : small
+    return { kind: EVENT[name], line, cell: noCell ? -1 : cell, other: second, value }
   })
 
 export const events = fc.array(event, { maxLength: 60 })

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest'
+import type { ParamSettings } from '../../src/algorithms/params'
 import { plan } from '../../src/algorithms/plan'
 import { planners } from '../../src/algorithms/planners'
 import { problemFromText } from '../../src/grid/text-map'
@@ -7,6 +8,7 @@ import { EVENT, EVENT_NAMES } from '../../src/trace/events'
 import { frameAt } from '../../src/trace/fold'
 import { KNOWN, knownOf, SEARCH, searchOf } from '../../src/trace/frame'
 import { Tape } from '../../src/trace/tape'
+import { withOpened, written } from './written'
 
 const problem = problemFromText(
   [
@@ -21,19 +23,26 @@ const problem = problemFromText(
 )
 const cells = problem.grid.walls.length
 
-function tapeOf(plannerId: string): Tape {
+/** Each planner, and the searches of the one that has several. */
+const runs: readonly (readonly [id: string, params: ParamSettings])[] = [
+  ...planners.map(({ id }) => [id, {}] as const),
+  ...['dijkstra', 'a-star', 'jump-point'].map(
+    (search) => ['decomposition', { search, cost: 'euclidean' }] as const,
+  ),
+]
+
+function tapeOf(plannerId: string, params: ParamSettings): Tape {
   const tape = new Tape()
-  plan(problem, plannerId, { tape })
+  plan(problem, plannerId, { tape, params })
   return tape
 }
 
 /** The first `time` events as words, so that the facts can be read off once more, another way. */
 function eventsOf(tape: Tape, time: number) {
-  return Array.from({ length: time }, (_, i) => ({
-    kind: EVENT_NAMES[tape.kinds[i]],
-    cell: tape.cells[i],
-    other: tape.others[i],
-    value: tape.values[i],
+  const first = written(tape).slice(0, time)
+  return withOpened(first, tape.width, tape.diagonalCost).map((event) => ({
+    ...event,
+    kind: EVENT_NAMES[event.kind],
   }))
 }
 
@@ -73,8 +82,8 @@ function naiveFacts(tape: Tape, time: number, cell: number): CellFacts {
 }
 
 describe('what a planner knows of a cell', () => {
-  it.each(planners.map(({ id }) => id))('is what the tape of %s tells of it', (id) => {
-    const tape = tapeOf(id)
+  it.each(runs)('is what the tape of %s %j tells of it', (id, params) => {
+    const tape = tapeOf(id, params)
     const stride = Math.max(1, Math.floor(tape.length / 9))
     for (let time = 0; time <= tape.length; time += stride) {
       const frame = frameAt(tape, time)
@@ -84,8 +93,8 @@ describe('what a planner knows of a cell', () => {
     }
   })
 
-  it.each(planners.map(({ id }) => id))('agrees with the picture of %s', (id) => {
-    const tape = tapeOf(id)
+  it.each(runs)('agrees with the picture of %s %j', (id, params) => {
+    const tape = tapeOf(id, params)
     for (const time of [0, Math.floor(tape.length / 2), tape.length]) {
       const frame = frameAt(tape, time)
       for (let cell = 0; cell < cells; cell++) {

@@ -4,6 +4,7 @@ import { EVENT, type EventKind, type Frame, frameAt, Player } from '../../src/in
 import { foldWhole } from '../../src/trace/checkpoints'
 import { FELT_BIT, type Field, KNOWN_SHIFT, packed } from '../../src/trace/frame'
 import { type Event, events, HEIGHT, tapeOf, WIDTH } from './arbitraries'
+import { withOpened } from './written'
 
 const FIELDS: readonly Field[] = ['attraction', 'repulsion', 'potential']
 
@@ -24,8 +25,11 @@ function picture(list: readonly Event[]): Frame {
     all(kind).length === 0
       ? null
       : Float64Array.from(perCell((cell) => lastAt(cell, kind)?.value ?? Number.NaN))
+  const searched = withOpened(list, WIDTH)
   const search = perCell((cell) => {
-    const found = lastAt(cell, EVENT.open, EVENT.close)
+    const found = searched.findLast(
+      (e) => e.cell === cell && (e.kind === EVENT.open || e.kind === EVENT.close),
+    )
     return found === undefined ? 0 : found.kind === EVENT.open ? 1 : 2
   })
   const known = perCell((cell) => {

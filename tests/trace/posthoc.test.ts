@@ -85,6 +85,41 @@ describe('events', () => {
     ])
   })
 
+  test('of a search over cells have a line for each neighbour that is opened', () => {
+    const [east, southEast, south] = [1 << 2, 1 << 3, 1 << 4]
+    const least = 'd'
+    const tape = tapeOf([
+      ['open', 0],
+      ['close', 0, east + south, 0],
+      ['value', 0, 0, 2.5],
+      ['close', 1, southEast, 1],
+      ['close', 3, 0, 1.5],
+      ['value', 3, 0, 3],
+      ['end', 3, STATUSES.indexOf('unreachable')],
+    ])
+    tape.diagonalCost = 1.25
+    const trace: Trace = JSON.parse(posthocTrace(tape, info))
+    const [start, west, below] = [
+      { id: '0,0', x: 0, y: 0, g: 0 },
+      { id: '1,0', pId: '0,0', x: 1, y: 0, g: 1 },
+      { id: '0,1', pId: '0,0', x: 0, y: 1, g: 1 },
+    ]
+    expect(trace.events.slice(2)).toEqual([
+      { type: 'generating', ...start, line: 1 },
+      { type: 'expanding', ...start, line: 2, [least]: 2.5 },
+      { type: 'generating', ...below, line: 2 },
+      { type: 'generating', ...west, line: 2 },
+      { type: 'closing', ...start },
+      // A number that stays the same is not on the tape again.
+      { type: 'expanding', ...west, line: 4, [least]: 2.5 },
+      { type: 'generating', id: '2,1', pId: '1,0', x: 2, y: 1, g: 2.25, line: 4 },
+      { type: 'closing', ...west },
+      { type: 'expanding', ...below, g: 1.5, line: 5, [least]: 3 },
+      { type: 'closing', ...below, g: 1.5 },
+      { type: 'end', id: '0,1', pId: '0,0', x: 0, y: 1, status: 'unreachable', line: 7 },
+    ])
+  })
+
   test('of a graph and of fields', () => {
     expect(
       written(

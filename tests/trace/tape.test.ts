@@ -1,16 +1,8 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
-import { EVENT, Tape, type TapeColumns } from '../../src/index'
-import { type Event, events, HEIGHT, tapeOf, WIDTH } from './arbitraries'
-
-const written = (tape: TapeColumns): Event[] =>
-  Array.from({ length: tape.length }, (_, i) => ({
-    kind: tape.kinds[i] as Event['kind'],
-    line: tape.lines[i],
-    cell: tape.cells[i],
-    other: tape.others[i],
-    value: tape.values[i],
-  }))
+import { EVENT, Tape } from '../../src/index'
+import { events, HEIGHT, tapeOf, WIDTH } from './arbitraries'
+import { kindsOf, written } from './written'
 
 test('what is written is on the tape, in order, with the line it was written at', () => {
   fc.assert(
@@ -27,11 +19,13 @@ test('without a second cell and a value an event holds -1 and 0', () => {
   expect(written(tape)).toEqual([{ kind: EVENT.vertex, line: 0, cell: 3, other: -1, value: 0 }])
 })
 
+/** Longer than a few chunks. */
+const LONG = 100_000
+
 test('nothing is lost when the tape grows', () => {
   const tape = new Tape()
-  tape.begin(100, 100)
-  const room = tape.kinds.length
-  const list = Array.from({ length: 4 * room + 1 }, (_, i) => ({
+  tape.begin(400, 400)
+  const list = Array.from({ length: LONG }, (_, i) => ({
     kind: EVENT.open,
     line: i % 7,
     cell: i,
@@ -41,34 +35,37 @@ test('nothing is lost when the tape grows', () => {
   for (const e of list) tape.at(e.line).write(e.kind, e.cell, e.other, e.value)
   expect(tape.length).toBe(list.length)
   expect(written(tape)).toEqual(list)
+  expect(written(Tape.from(tape.release()))).toEqual(list)
+})
+
+test('there is room in an event for the cells of the largest map, and for what is none', () => {
+  const last = 2048 * 2048 - 1
+  const list = [
+    { kind: EVENT.cut, line: 255, cell: last, other: -1, value: Number.POSITIVE_INFINITY },
+    { kind: EVENT.edge, line: 0, cell: 0, other: last, value: -1e300 },
+    { kind: EVENT.edge, line: 255, cell: -1, other: last, value: 0.1 },
+    { kind: EVENT.phase, line: 0, cell: -1, other: -1, value: 0 },
+  ]
+  expect(written(tapeOf(list))).toEqual(list)
 })
 
 test('a tape that begins anew has forgotten all', () => {
   const tape = tapeOf([{ kind: EVENT.step, line: 3, cell: 1, other: 0, value: 2 }])
   tape.begin(7, 8)
-  expect([tape.width, tape.height, tape.length, tape.line]).toEqual([7, 8, 0, 0])
+  expect([tape.width, tape.height, tape.length, tape.diagonalCost]).toEqual([7, 8, 0, 1])
   tape.write(EVENT.step, 5)
   expect(written(tape)).toEqual([{ kind: EVENT.step, line: 0, cell: 5, other: -1, value: 0 }])
 })
 
 describe('release', () => {
-  test('gives the events, in little more room than they need, and all buffers to transfer', () => {
+  test('gives the events, in no more room than they need', () => {
     fc.assert(
       fc.property(events, (list) => {
-        const { columns, buffers } = tapeOf(list).release()
-        expect([columns.width, columns.height, columns.length]).toEqual([
-          WIDTH,
-          HEIGHT,
-          list.length,
-        ])
-        expect(written(columns)).toEqual(list)
-        const { kinds, lines, cells, others, values } = columns
-        for (const column of [kinds, lines, cells, others, values]) {
-          expect(column.length).toBeGreaterThanOrEqual(list.length)
-          expect(column.length).toBeLessThanOrEqual(2 * list.length)
-          expect(buffers).toContain(column.buffer)
-        }
-        expect(new Set(buffers).size).toBe(5)
+        const data = tapeOf(list).release()
+        expect([data.width, data.height, data.length]).toEqual([WIDTH, HEIGHT, list.length])
+        const bytes = data.buffers.reduce((sum, { byteLength }) => sum + byteLength, 0)
+        expect(bytes).toBe(16 * list.length)
+        expect(written(Tape.from(data))).toEqual(list)
       }),
     )
   })
@@ -76,19 +73,22 @@ describe('release', () => {
   test('what was released can be transferred; the tape is empty and can be written on', () => {
     const list = [{ kind: EVENT.step, line: 1, cell: 4, other: 3, value: 0.5 }] as const
     const tape = tapeOf(list)
-    const { columns, buffers } = tape.release()
-    const received = Tape.from(structuredClone(columns, { transfer: buffers }))
-    expect(columns.kinds.length).toBe(0)
+    tape.diagonalCost = Math.SQRT2
+    const data = tape.release()
+    const received = Tape.from(structuredClone(data, { transfer: data.buffers }))
+    expect(data.buffers[0].byteLength).toBe(0)
     expect(written(received)).toEqual(list)
+    expect([received.width, received.height]).toEqual([WIDTH, HEIGHT])
+    expect(received.diagonalCost).toBe(Math.SQRT2)
     tape.at(2).write(EVENT.step, 5, 4)
     expect(written(tape).map((e) => e.cell)).toEqual([5])
     expect(received.length).toBe(1)
   })
 
-  test('a tape made from columns can be written on', () => {
+  test('a tape made of what was released can be written on', () => {
     fc.assert(
       fc.property(events, events, (before, after) => {
-        const tape = Tape.from(tapeOf(before).release().columns)
+        const tape = Tape.from(tapeOf(before).release())
         expect(tape).toBeInstanceOf(Tape)
         for (const e of after) tape.at(e.line).write(e.kind, e.cell, e.other, e.value)
         expect(written(tape)).toEqual([...before, ...after])
@@ -97,9 +97,39 @@ describe('release', () => {
   })
 })
 
-describe('a tape with more events than it has room for', () => {
+describe('the last event near a cell', () => {
+  const cells = fc.nat({ max: WIDTH * HEIGHT - 1 })
+  test('is found, and none that is too late or too far', () => {
+    const reaches = fc.nat({ max: 10 })
+    const times = fc.nat({ max: 60 })
+    fc.assert(
+      fc.property(events, times, cells, reaches, (list, time, cell, reach) => {
+        const before = Math.min(time, list.length)
+        const isIt = (i: number) => list[i].kind % 3 === 0
+        const expected = list.findLastIndex(
+          (e, i) => i < before && Math.abs(e.cell - cell) <= reach && isIt(i),
+        )
+        expect(tapeOf(list).findLast(before, cell, reach, isIt)).toBe(expected)
+      }),
+    )
+  })
+
+  test('is found on a long tape', () => {
+    const tape = new Tape()
+    tape.begin(10, 10)
+    for (let i = 0; i < LONG; i++) tape.write(EVENT.open, i === 12_345 ? 7 : 50 + (i % 50))
+    expect(tape.findLast(LONG, 7, 11, () => true)).toBe(12_345)
+    expect(tape.findLast(12_345, 7, 11, () => true)).toBe(-1)
+    expect(tape.findLast(LONG, 99, 0, () => true)).toBe(LONG - 1)
+  })
+})
+
+describe.each([
+  ['fewer than in a chunk', 2000],
+  ['more than in several chunks', 20_000],
+])('a tape that may have %s', (_, most) => {
   /** Searches on a map of 9 cells until so many events are written. */
-  const long = (count: number, most: number): Tape => {
+  const long = (count: number): Tape => {
     const tape = new Tape(most)
     tape.begin(3, 3)
     for (let i = 0; i < count; i++) {
@@ -109,18 +139,17 @@ describe('a tape with more events than it has room for', () => {
     tape.write(EVENT.end, 5, 0)
     return tape
   }
-  const kindsOf = (tape: TapeColumns) => new Set(written(tape).map(({ kind }) => kind))
 
   test('keeps all as long as it can', () => {
-    const tape = long(1999, 2000)
-    expect([tape.thinning, tape.length]).toEqual(['whole', 2000])
+    const tape = long(most - 1)
+    expect([tape.thinning, tape.length]).toEqual(['whole', most])
   })
 
   test('leaves out small events then, those before and those after', () => {
-    const tape = long(2700, 2000)
+    const tape = long(1.35 * most)
     expect(tape.thinning).toBe('thinned')
-    expect(kindsOf(tape)).toEqual(new Set([EVENT.close, EVENT.end]))
-    const closed = Array.from({ length: 900 }, (_, i) => 3 * i + 2)
+    expect(new Set(kindsOf(tape))).toEqual(new Set([EVENT.close, EVENT.end]))
+    const closed = Array.from({ length: 0.45 * most }, (_, i) => 3 * i + 2)
     const end = { kind: EVENT.end, line: 1, cell: 5, other: 0, value: 0 }
     expect(written(tape)).toEqual([
       ...closed.map((i) => ({ kind: EVENT.close, line: 1, cell: i % 9, other: -1, value: i })),
@@ -129,58 +158,24 @@ describe('a tape with more events than it has room for', () => {
   })
 
   test('is cut if that is not enough, but says how it ended', () => {
-    const tape = long(9000, 2000)
-    expect([tape.thinning, tape.length]).toEqual(['cut', 2000])
+    const tape = long(4.5 * most)
+    expect([tape.thinning, tape.length]).toEqual(['cut', most])
     expect(written(tape).at(-1)?.kind).toBe(EVENT.end)
     expect(written(tape).at(-2)).toEqual({
       kind: EVENT.close,
       line: 1,
-      cell: (3 * 1998 + 2) % 9,
+      cell: (3 * (most - 2) + 2) % 9,
       other: -1,
-      value: 3 * 1998 + 2,
+      value: 3 * (most - 2) + 2,
     })
   })
 
   test('knows where it comes from a worker, and begins anew whole', () => {
-    const tape = Tape.from(long(2700, 2000).release().columns)
+    const tape = Tape.from(long(1.35 * most).release())
     tape.write(EVENT.open, 1)
-    expect([tape.thinning, tape.length]).toEqual(['thinned', 901])
+    expect([tape.thinning, tape.length]).toEqual(['thinned', 0.45 * most + 1])
     tape.begin(3, 3)
     tape.write(EVENT.open, 1)
     expect([tape.thinning, tape.length]).toEqual(['whole', 1])
   })
-})
-
-describe('a field', () => {
-  const field = Float64Array.from({ length: 9 }, (_, cell) => cell / 3)
-  const oneByOne = (most: number, before: number): Tape => {
-    const tape = new Tape(most)
-    tape.begin(3, 3)
-    for (let i = 0; i < before; i++) tape.write(EVENT.open, i % 9)
-    return tape.at(4)
-  }
-
-  test.each([
-    ['with room to grow', 5000, 1020],
-    ['on a tape that becomes full, so that small events are left out', 1024, 1020],
-  ])('is written as cell by cell, %s', (_, most, before) => {
-    for (const kind of [EVENT.potential, EVENT.attraction] as const) {
-      const tape = oneByOne(most, before)
-      tape.writeField(kind, field)
-      const same = oneByOne(most, before)
-      for (let cell = 0; cell < 9; cell++) same.write(kind, cell, -1, field[cell])
-      expect(written(tape)).toEqual(written(same))
-      expect(tape.thinning).toBe(most === 5000 ? 'whole' : 'thinned')
-    }
-  })
-})
-
-test('room that is reserved is there, and what was written stays', () => {
-  const list = [{ kind: EVENT.step, line: 1, cell: 4, other: 3, value: 0.5 }] as const
-  const tape = tapeOf(list)
-  tape.reserve(5000)
-  expect(tape.kinds.length).toBe(5001)
-  expect(written(tape)).toEqual(list)
-  tape.reserve(10)
-  expect(tape.kinds.length).toBe(5001)
 })

@@ -1,11 +1,12 @@
 import { stepOffsets } from '../../grid/directions'
 import { allLegalSteps } from '../../grid/legal-steps'
-import { EVENT } from '../../trace/events'
-import { costOfWeight, DIAGONAL_WEIGHT, weightsTo } from '../costs'
+import type { Directions } from '../../grid/steps'
+import { DIAGONAL_WEIGHT, weightsTo } from '../costs'
 import { Jumps } from './jumps'
 import { CLOSED, DIRECTION, memoryFor, OPEN } from './memory'
+import { Recorder } from './recorder'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
-import { NO_DIRECTION, SUCCESSORS } from './successors'
+import { NO_DIRECTION, successorsUnder } from './successors'
 import { wayBack, wayBackOverJumps } from './way-back'
 
 /**
@@ -29,7 +30,7 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
   const { grid, start, goal, diagonal } = problem
   const cells = grid.walls.length
   const legal = allLegalSteps(grid, diagonal)
-  const successors = SUCCESSORS[diagonal]
+  const successors = successorsUnder(diagonal)
   const offsets = stepOffsets(grid.width)
   const diagonalWeight = DIAGONAL_WEIGHT[cost]
   const estimate = weightsTo(goal, cost, grid.width)
@@ -39,28 +40,30 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
     ? new Jumps(legal, successors, offsets, diagonalWeight, problem, memory)
     : null
   const { openCells } = memory
+  const record = tape && new Recorder(tape, lines, cost)
   let expanded = 0
   states[start] = OPEN | NO_DIRECTION
   weights[start] = 0
   openCells.begin(start, estimate(start))
-  tape?.at(lines.open).write(EVENT.open, start)
+  record?.begin(start)
   for (let cell = openCells.pop(); cell >= 0; cell = openCells.pop()) {
     const state = states[cell]
     // A cell that was improved waits in a later place too.
     if (state & CLOSED) continue
     states[cell] = state | CLOSED
     const weight = weights[cell]
-    if (tape) {
-      tape.at(lines.close).write(EVENT.close, cell, -1, costOfWeight(cost, weight))
-      tape.write(EVENT.value, cell, 0, costOfWeight(cost, openCells.least))
-    }
     if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
+    if (record && (jumps || cell === goal)) {
+      record.closed(cell, 0, weight)
+      record.least(cell, openCells.least)
+    }
     if (cell === goal) {
       const path = jumping
         ? wayBackOverJumps(start, goal, memory, offsets, diagonalWeight)
         : wayBack(start, goal, memory, offsets)
       return { path, expanded }
     }
+    let opened: Directions = 0
     let steps = successors[((state & DIRECTION) << 8) | legal[cell]]
     while (steps !== 0) {
       let direction = 31 - Math.clz32(steps)
@@ -78,7 +81,12 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
       states[reached] = OPEN | direction
       weights[reached] = longer
       openCells.push(reached, longer + estimate(reached))
-      if (tape) tape.at(lines.open).write(EVENT.open, reached, cell, costOfWeight(cost, longer))
+      opened |= 1 << direction
+      if (record && jumps) record.jumped(reached, cell, longer)
+    }
+    if (record && !jumps) {
+      record.closed(cell, opened, weight)
+      record.least(cell, openCells.least)
     }
   }
   return { path: new Int32Array(0), expanded }

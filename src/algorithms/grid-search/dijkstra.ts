@@ -1,10 +1,11 @@
 import { stepOffsets } from '../../grid/directions'
 import { allLegalSteps } from '../../grid/legal-steps'
-import { EVENT } from '../../trace/events'
-import { costOfWeight, DIAGONAL_WEIGHT } from '../costs'
+import type { Directions } from '../../grid/steps'
+import { DIAGONAL_WEIGHT } from '../costs'
 import { CLOSED, DIRECTION, memoryFor, OPEN } from './memory'
+import { Recorder } from './recorder'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
-import { NO_DIRECTION, SUCCESSORS } from './successors'
+import { NO_DIRECTION, successorsUnder } from './successors'
 import { wayBack } from './way-back'
 
 /**
@@ -23,17 +24,18 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
   const { grid, start, goal, diagonal } = problem
   const cells = grid.walls.length
   const legal = allLegalSteps(grid, diagonal)
-  const successors = SUCCESSORS[diagonal]
+  const successors = successorsUnder(diagonal)
   const offsets = stepOffsets(grid.width)
   const diagonalWeight = (DIAGONAL_WEIGHT[cost] * UNIT) | 0
   const memory = memoryFor(cells)
   const { states, wholeWeights: weights } = memory
   let [bucket, next, afterNext] = memory.buckets
+  const record = tape && new Recorder(tape, lines, cost)
   let expanded = 0
   states[start] = OPEN | NO_DIRECTION
   weights[start] = 0
   bucket.push(start)
-  tape?.at(lines.open).write(EVENT.open, start)
+  record?.begin(start)
   for (let units = 0; bucket.count + next.count > 0; units++) {
     const least = units << 29
     for (let i = 0; i < bucket.count; i++) {
@@ -43,14 +45,12 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
       if (state & CLOSED) continue
       states[cell] = state | CLOSED
       const weight = weights[cell]
-      if (tape)
-        tape
-          .at(lines.close)
-          .write(EVENT.close, cell, -1, costOfWeight(cost, units + (weight - least) / UNIT))
       if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
       if (cell === goal) {
+        record?.closed(cell, 0, units + (weight - least) / UNIT)
         return { path: wayBack(start, goal, memory, offsets), expanded }
       }
+      let opened: Directions = 0
       let steps = successors[((state & DIRECTION) << 8) | legal[cell]]
       while (steps !== 0) {
         const direction = 31 - Math.clz32(steps)
@@ -62,14 +62,11 @@ export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): 
         if (known !== 0 && ((longer - weights[neighbour]) | 0) >= 0) continue
         states[neighbour] = OPEN | direction
         weights[neighbour] = longer
-        const more = (longer - least) | 0
-        if (more < 2 * UNIT) next.push(neighbour)
+        if (((longer - least) | 0) < 2 * UNIT) next.push(neighbour)
         else afterNext.push(neighbour)
-        if (tape)
-          tape
-            .at(lines.open)
-            .write(EVENT.open, neighbour, cell, costOfWeight(cost, units + more / UNIT))
+        opened |= 1 << direction
       }
+      record?.closed(cell, opened, units + (weight - least) / UNIT)
     }
     const empty = bucket
     empty.count = 0

@@ -24,14 +24,14 @@ export interface Memory {
 /** Up to so many cells the memory is kept for the next search. */
 const KEPT_CELLS = 1 << 20
 
-let kept = newMemory(0)
+let kept: Memory | null = null
 
 /**
  * Memory for a search over so many cells, none of them reached. It belongs to the search until the
  * next one begins: no two go on at the same time.
  */
 export function memoryFor(cells: number): Memory {
-  if (kept.states.length < cells) {
+  if (kept === null || kept.states.length < cells) {
     const memory = newMemory(cells)
     if (cells <= KEPT_CELLS) kept = memory
     return memory

@@ -9,8 +9,8 @@ export interface SearchTask {
   readonly problem: Problem
   readonly cost: Cost
   readonly tape: Tape | undefined
-  /** Lines of the pseudocode: a cell is opened, a cell is closed. */
-  readonly lines: { readonly open: number; readonly close: number }
+  /** Lines of the pseudocode: the start is opened, a cell is closed, a jump point is opened. */
+  readonly lines: { readonly start: number; readonly close: number; readonly jump: number }
   readonly progress: (done: number) => void
 }
 

@@ -4,9 +4,11 @@ import type { DiagonalRule, Directions } from '../../grid/steps'
 /** Stands for the direction of the start, to which no step led. */
 export const NO_DIRECTION = 8
 
+const tables: Partial<Record<DiagonalRule, Uint8Array>> = {}
+
 /**
  * The neighbours to which a cell must offer a way, by the direction of the step that led to the cell
- * and by its legal steps: `SUCCESSORS[rule][direction << 8 | legal]`, a set of directions.
+ * and by its legal steps: at `direction << 8 | legal` a set of directions.
  *
  * Left out are neighbours that the cell before reaches as cheaply without this one. So of all orders
  * of the same steps only one is followed, the canonical one, diagonal steps first, and nearly every
@@ -14,9 +16,9 @@ export const NO_DIRECTION = 8
  * obstacle beside the way brings back the neighbours that it hides from the cell before.
  * (D. Harabor and A. Grastien, "Online graph pruning for pathfinding on grid maps", 2011.)
  */
-export const SUCCESSORS: Record<DiagonalRule, Uint8Array> = {
-  'if-at-most-one-obstacle': successors(false),
-  'only-when-no-obstacles': successors(true),
+export function successorsUnder(rule: DiagonalRule): Uint8Array {
+  tables[rule] ??= successors(rule === 'only-when-no-obstacles')
+  return tables[rule]
 }
 
 function successors(cornersBlock: boolean): Uint8Array {

@@ -1,12 +1,6 @@
 import type { Grid } from '../../grid/grid'
 import type { Rect, ScreenSize } from '../../render/view'
 
-const overlap = (a: Rect, b: Rect): boolean =>
-  a.left < b.left + b.width &&
-  b.left < a.left + a.width &&
-  a.top < b.top + b.height &&
-  b.top < a.top + a.height
-
 const ascending = (values: readonly number[]): number[] =>
   [...new Set(values)].sort((a, b) => a - b)
 
@@ -32,26 +26,24 @@ export function roomForMap(
   return isWorthIt ? largest : { left: 0, top: 0, ...screen }
 }
 
-/** All rectangles between the edges of cards and screen that no card covers. */
+/**
+ * The rectangles that no card covers, each as wide and as high as it can be: it begins and ends at
+ * cards or at the edges of the screen.
+ */
 function emptyRooms(screen: ScreenSize, covered: readonly Rect[]): Rect[] {
-  const edges = (size: number, values: readonly number[]) =>
-    ascending([0, size, ...values.map((value) => Math.max(0, Math.min(value, size)))])
-  const xs = edges(
-    screen.width,
-    covered.flatMap((card) => [card.left, card.left + card.width]),
-  )
-  const ys = edges(
-    screen.height,
-    covered.flatMap((card) => [card.top, card.top + card.height]),
-  )
+  const within = (size: number, edges: readonly number[]) =>
+    ascending(edges.map((edge) => Math.max(0, Math.min(edge, size))))
+  const lefts = within(screen.width, [0, ...covered.map(({ left, width }) => left + width)])
+  const rights = within(screen.width, [screen.width, ...covered.map(({ left }) => left)])
+  const tops = within(screen.height, [0, ...covered.map(({ top, height }) => top + height)])
   const rooms: Rect[] = []
-  for (const left of xs) {
-    for (const right of xs.filter((x) => x > left)) {
-      for (const top of ys) {
-        for (const bottom of ys.filter((y) => y > top)) {
-          const room = { left, top, width: right - left, height: bottom - top }
-          if (!covered.some((card) => overlap(card, room))) rooms.push(room)
-        }
+  for (const left of lefts) {
+    for (const right of rights.filter((edge) => edge > left)) {
+      const between = covered.filter((card) => card.left < right && left < card.left + card.width)
+      for (const top of tops) {
+        const below = between.filter((card) => top < card.top + card.height)
+        const bottom = Math.min(screen.height, ...below.map((card) => card.top))
+        if (bottom > top) rooms.push({ left, top, width: right - left, height: bottom - top })
       }
     }
   }

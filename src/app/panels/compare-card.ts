@@ -17,9 +17,11 @@ export function compareCard(store: Store<State>, rearranged: () => void): (state
   const card = byId('comparison', HTMLElement)
   const button = byId('compare', HTMLButtonElement)
   const fault = byId('comparison-fault', HTMLParagraphElement)
-  const table = new ComparisonTable(byId('comparison-table', HTMLTableElement), (plannerId) =>
-    store.update((state) => togglePath(state, plannerId)),
-  )
+  let table: ComparisonTable | null = null
+  const newTable = () =>
+    new ComparisonTable(byId('comparison-table', HTMLTableElement), (plannerId) =>
+      store.update((state) => togglePath(state, plannerId)),
+    )
   const toggle = () => store.update(toggleComparison)
   button.addEventListener('click', toggle)
   byId('comparison-close', HTMLButtonElement).addEventListener('click', () => {
@@ -43,7 +45,8 @@ export function compareCard(store: Store<State>, rearranged: () => void): (state
     }
     setText(fault, comparison.fault)
     fault.hidden = comparison.fault === ''
-    table.show(comparison, ({ subject }) => isSameSubject(subject, state.setup))
+    if (comparison.isOn) table ??= newTable()
+    table?.show(comparison, ({ subject }) => isSameSubject(subject, state.setup))
   }
 }
 

@@ -51,17 +51,18 @@ const inWords = (moment: Moment, fast: boolean): string =>
 /** The planner's pseudocode in a box that scrolls to the line of the step. */
 class CodeList {
   readonly #list: HTMLOListElement
+  readonly #layout = new ResizeObserver(() => this.#reveal())
   #planner: AnyPlanner | null = null
   #variant: unknown
   #lines: readonly CodeLine[] = []
   #items: readonly HTMLElement[] = []
   #current = -1
+  #isNew = true
 
   constructor(list: HTMLOListElement) {
     this.#list = list
     // It scrolls, so the keyboard has to reach it.
     list.tabIndex = 0
-    new ResizeObserver(() => this.#reveal()).observe(list)
   }
 
   show(setup: Setup, line: number): void {
@@ -72,26 +73,35 @@ class CodeList {
       this.#variant = values.variant
       this.#lines = codeSection(planner, values)
       this.#current = -1
+      this.#isNew = true
       this.#items = this.#lines.map(lineItem)
       this.#list.replaceChildren(...this.#items)
-      this.#list.scrollTop = 0
     }
     if (line !== this.#current) this.#mark(line)
+    if (this.#isNew) this.#revealOnceLaidOut()
   }
 
   #mark(line: number): void {
     this.#itemOf(this.#current)?.removeAttribute('aria-current')
     this.#current = line
     this.#itemOf(line)?.setAttribute('aria-current', 'step')
-    this.#reveal()
+    this.#revealOnceLaidOut()
+  }
+
+  /** Whom an observer begins to observe, it tells of in the same frame, once the layout is known. */
+  #revealOnceLaidOut(): void {
+    this.#layout.unobserve(this.#list)
+    this.#layout.observe(this.#list)
   }
 
   /** Only the list scrolls: `scrollIntoView` would move what is around it as well. */
   #reveal(): void {
+    const list = this.#list
+    if (this.#isNew) list.scrollTop = 0
+    this.#isNew = false
     const item = this.#itemOf(this.#current)
     if (!item) return
     const { offsetTop: top, offsetHeight: height } = item
-    const list = this.#list
     if (top < list.scrollTop) list.scrollTop = top
     else if (top + height > list.scrollTop + list.clientHeight) {
       list.scrollTop = top + height - list.clientHeight

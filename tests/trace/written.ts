@@ -1,0 +1,66 @@
+import { EVENT, type Tape } from '../../src/index'
+import type { Event } from './arbitraries'
+
+/** All that is on a tape. */
+export const written = (tape: Tape): Event[] =>
+  Array.from({ length: tape.length }, (_, i) => ({
+    kind: tape.kind(i) as Event['kind'],
+    line: tape.line(i),
+    cell: tape.cell(i),
+    other: tape.other(i),
+    value: tape.value(i),
+  }))
+
+export const kindsOf = (tape: Tape): number[] => written(tape).map(({ kind }) => kind)
+
+/** The steps to the neighbours of a cell, clockwise from north. */
+const STEPS = [
+  [0, -1],
+  [1, -1],
+  [1, 0],
+  [1, 1],
+  [0, 1],
+  [-1, 1],
+  [-1, 0],
+  [-1, -1],
+] as const
+
+/** The neighbours that the directions of an event name, with what a step there costs. */
+function neighbours({ cell, other }: Event, width: number, diagonalCost: number) {
+  const [x, y] = [cell % width, Math.floor(cell / width)]
+  return STEPS.flatMap(([dx, dy], direction) =>
+    other > 0 && Math.floor(other / 2 ** direction) % 2 === 1
+      ? [{ cell: (y + dy) * width + x + dx, cost: dx !== 0 && dy !== 0 ? diagonalCost : 1 }]
+      : [],
+  )
+}
+
+/** The same events, with one more for each neighbour that is opened by the closing of a cell. */
+export function withOpened(events: readonly Event[], width: number, diagonalCost = 1): Event[] {
+  return events.flatMap((event) =>
+    event.kind !== EVENT.close
+      ? [event]
+      : [
+          event,
+          ...neighbours(event, width, diagonalCost)
+            .reverse()
+            .map(({ cell, cost }) => ({
+              ...event,
+              kind: EVENT.open,
+              cell,
+              other: event.cell,
+              value: event.value + cost,
+            })),
+        ],
+  )
+}
+
+/** The directions in which a cell has neighbours on the map. */
+export function directionsInside(cell: number, width: number, height: number): number {
+  const [x, y] = [cell % width, Math.floor(cell / width)]
+  return STEPS.reduce((directions, [dx, dy], direction) => {
+    const [nx, ny] = [x + dx, y + dy]
+    const isInside = nx >= 0 && ny >= 0 && nx < width && ny < height
+    return isInside ? directions + 2 ** direction : directions
+  }, 0)
+}
