@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { withCells } from '../../src/grid/grid'
+import { emptyGrid, withCells } from '../../src/grid/grid'
 import { pathStyles } from '../../src/render/path-styles'
 import { Picture } from '../../src/render/picture'
 import type { Scene } from '../../src/render/scene'
@@ -179,6 +179,20 @@ describe('a picture redraws only what has changed', () => {
     picture.draw({ ...scene, plan, sensorRange: 1 }, moved)
     expect(drawn(() => picture.draw(scene, moved))).toContain('plan')
     expect(drawn(() => picture.draw(scene, view))).toEqual(['ground', 'marks'])
+  })
+
+  it('no vertices while too many are in view, and says so', () => {
+    const wide = { start: 0, goal: 1, grid: emptyGrid(200, 200) }
+    const tape = new Tape()
+    tape.begin(200, 200)
+    for (let cell = 0; cell < 200 * 200; cell++) tape.write(EVENT.vertex, cell)
+    const scene = sceneOf({ ...problem, ...wide }, { plan: momentOf(tape) })
+    const picture = pictureOf(scene)
+    expect(picture.isCrowded).toBe(false)
+    picture.draw(scene, { scale: 2, left: 0, top: 0 })
+    expect(picture.isCrowded).toBe(true)
+    expect(drawn(() => picture.draw({ ...scene, plan: null }, view))).toContain('plan')
+    expect(picture.isCrowded).toBe(false)
   })
 
   it('all if the map moves, the theme changes or the screen gets another size', () => {
