@@ -100,7 +100,9 @@ function searchAt(
   if (search === SEARCH.untouched) return { search: null, cost: null, parent: null }
   if (search === SEARCH.open) return { search: 'open', ...wayTo(tape, frame.time, cell) }
   const closed = latestAt(tape, frame.time, cell, EVENT.close)
-  const { parent } = wayTo(tape, closed, cell)
+  // Vertices of a roadmap are opened by events that a thinned tape leaves out: do not look for them.
+  const isTold = tape.thinning === 'whole' || frame.vertices.length === 0
+  const parent = isTold ? wayTo(tape, closed, cell).parent : null
   return { search: 'closed', cost: tape.value(closed), parent }
 }
 
