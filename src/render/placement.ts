@@ -107,7 +107,7 @@ export function isVisible(place: Placement, cell: Cell): boolean {
  * More vertices or lines than this on one screen can hardly be told apart, nor drawn in a fraction of
  * a frame: they come into sight as one zooms in.
  */
-export const MOST_IN_VIEW = 16_000
+export const MOST_IN_VIEW = 20_000
 
 /** The cells that can be seen, and so many around them. */
 export function boxInView({ fromX, toX, fromY, toY }: Placement, margin: number): Box {
