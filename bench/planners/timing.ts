@@ -72,13 +72,13 @@ function warmUp(work: Work): number {
 /**
  * The time of a unit of work that takes `once` ms. Nobody shall pay for the garbage of another: the
  * young is cleared away, and all of it when `sweeping`, if Node lets us. As that throws compiled
- * code away, too, work is then warmed up again, unless it takes very long.
+ * code away, too, work is then warmed up as in the beginning, unless it takes very long.
  */
 function sample(work: Work, once: number, sweeping: boolean): number {
   const times = Math.max(1, Math.ceil(SAMPLE_MS / once))
   if (sweeping) {
     globalThis.gc?.()
-    if (once <= VERY_LONG_MS) repeat(work, times)
+    if (once <= VERY_LONG_MS) warmUp(work)
   }
   globalThis.gc?.({ type: 'minor' })
   const begin = performance.now()

@@ -28,7 +28,7 @@ test('work is timed in turn, ours first, by the units that it did', () => {
   // Warming up: at least 100 ms and three times each. Beside long work, both are warmed up again for
   // each sample.
   const warmUp = ['ours', 'ours', 'ours', 'ours', 'peer', 'peer', 'peer']
-  const round = ['ours', 'ours', 'peer', 'peer']
+  const round = [...Array(4 + 1).fill('ours'), ...Array(3 + 1).fill('peer')]
   expect(turns).toEqual([...warmUp, ...ours.flatMap(() => round)])
 })
 
@@ -41,7 +41,7 @@ test('very short work is repeated within a sample, very long work is done three 
   expect([count('ours'), count('peer')]).toEqual([200 + 15 * 20, 50 + 15 * 5])
   turns.length = 0
   expect(timeInTurn(work('ours', 101, 1), work('peer', 5000, 1)).peer).toHaveLength(3)
-  expect([count('ours'), count('peer')]).toEqual([3 + 2 * 3, 1 + 3])
+  expect([count('ours'), count('peer')]).toEqual([3 + 3 * (3 + 1), 1 + 3])
 })
 
 test('where little is between the two, ten times as many samples are taken', () => {
