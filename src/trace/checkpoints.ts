@@ -3,7 +3,7 @@ import { copyOf, type Frame, firstFrame } from './frame'
 import type { Tape } from './tape'
 
 /** Events between two checkpoints: a page folds so many within about an animation frame. */
-const SPACING = 1 << 19
+const SPACING = 3 << 17
 /** The last checkpoint lies so far before the end, from where one steps back most. */
 const BEFORE_END = 1 << 16
 /** Bytes of all checkpoints together; on a tape of large frames there are fewer of them. */
