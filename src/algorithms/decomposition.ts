@@ -1,5 +1,6 @@
 import type { Cell } from '../grid/grid'
 import type { Problem } from '../grid/problem'
+import { wordsOf } from '../grid/words'
 import { EVENT } from '../trace/events'
 import type { Tape } from '../trace/tape'
 import { costParam } from './costs'
@@ -66,24 +67,23 @@ export const decomposition = offlinePlanner({
 /** The cells of the map become the vertices of a graph, row by row. */
 function recordGraph({ grid: { width, walls } }: Problem, tape: Tape): void {
   tape.at(line.graph).write(EVENT.phase, -1, 0)
-  const isAligned = walls.byteOffset % Int32Array.BYTES_PER_ELEMENT === 0
-  const { buffer, byteOffset, length } = isAligned ? walls : walls.slice()
-  const fours = new Int32Array(buffer, byteOffset, length >> 2)
-  for (let first = 0; first < length; first += width) {
-    tape.write(EVENT.row, first, width - countObstacles(walls, fours, first, first + width))
+  const words = wordsOf(walls)
+  for (let first = 0; first < walls.length; first += width) {
+    tape.write(EVENT.row, first, width - countObstacles(walls, words, first, first + width))
   }
 }
 
-/** Obstacles from one cell up to another. `fours` has four cells of `walls` in a word, a byte each. */
-function countObstacles(walls: Uint8Array, fours: Int32Array, from: Cell, to: Cell): number {
+/** Obstacles from one cell up to another. @param words of `walls`, as far as there are any */
+function countObstacles(walls: Uint8Array, words: Int32Array, from: Cell, to: Cell): number {
+  const lastWord = Math.min(to >> 2, words.length)
   let count = 0
   let cell = from
   for (; cell < to && (cell & 3) !== 0; cell++) count += walls[cell]
-  while (cell + 4 <= to) {
+  while (cell >> 2 < lastWord) {
     // So many words add up without a carry from byte to byte, and so do their four bytes then.
-    const end = Math.min(to >> 2, (cell >> 2) + 63)
+    const end = Math.min(lastWord, (cell >> 2) + 63)
     let sums = 0
-    for (let i = cell >> 2; i < end; i++) sums += fours[i]
+    for (let i = cell >> 2; i < end; i++) sums += words[i]
     count += Math.imul(sums, 0x01010101) >>> 24
     cell = end << 2
   }

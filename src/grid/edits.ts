@@ -1,4 +1,5 @@
 import type { Cell } from './grid'
+import { wordsOf } from './words'
 
 /** What was changed to make some walls of others, which may be forgotten. */
 interface Edit {
@@ -57,9 +58,4 @@ export function differences(
     if (a[cell] !== b[cell]) cells.push(cell)
   }
   return cells
-}
-
-/** The same bytes, four in a word; none if they do not begin where a word may. */
-function wordsOf({ buffer, byteOffset, length }: Uint8Array): Int32Array {
-  return byteOffset % 4 === 0 ? new Int32Array(buffer, byteOffset, length >> 2) : new Int32Array(0)
 }
