@@ -1,4 +1,4 @@
-import type { Cell } from '../grid/grid'
+import { type Cell, rowOf } from '../grid/grid'
 import type { ChoiceParam } from './params'
 
 export type Cost = 'cells' | 'euclidean'
@@ -63,8 +63,7 @@ export function weightsTo(goal: Cell, cost: Cost, width: number): (cell: Cell) =
   const y = Math.floor(goal / width)
   const share = 1 / width
   return (cell) => {
-    // Half a cell away from where rounding could lead to the row before.
-    const above = ((cell + 0.5) * share) | 0
+    const above = rowOf(cell, share)
     const across = Math.abs(cell - above * width - x)
     const down = Math.abs(above - y)
     return weightOf(across, down, more)

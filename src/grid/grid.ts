@@ -39,6 +39,13 @@ export function pointOf(width: number, cell: Cell): Point {
   return { x: cell % width, y: Math.floor(cell / width) }
 }
 
+/**
+ * The row of a cell, for inner loops: nothing is divided, and half a cell is more than rounding could
+ * lead astray.
+ * @param share 1 / width of the map
+ */
+export const rowOf = (cell: Cell, share: number): number => ((cell + 0.5) * share) | 0
+
 /** "(3, 7)": how a place is named in every message. */
 export const placeName = ({ x, y }: Point): string => `(${x}, ${y})`
 

@@ -1,5 +1,5 @@
 import { type Direction, DX, DY } from '../../grid/directions'
-import type { Cell } from '../../grid/grid'
+import { type Cell, rowOf } from '../../grid/grid'
 import type { Problem } from '../../grid/problem'
 import { runAlong, type StraightRuns, straightRuns } from './straight-runs'
 
@@ -48,9 +48,8 @@ export class Diagonals {
     const down = 2 + 2 * dy
     const onward = 1 << d
     const natural = onward | (1 << across) | (1 << down)
-    // Where it is, on the lines to both sides and as seen from the goal. No division: half a cell is
-    // more than rounding could do.
-    const y = ((from + 0.5) * this.#share) | 0
+    // Where it is, on the lines to both sides and as seen from the goal.
+    const y = rowOf(from, this.#share)
     const x = from - y * this.#width
     const acrossRuns = this.#runs[across]
     const downRuns = this.#runs[down]
