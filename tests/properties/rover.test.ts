@@ -6,19 +6,15 @@ import { Dice } from '../reference/random'
 import { anySettings } from '../reference/settings'
 import { canSee } from '../reference/sight'
 import { reachableFrom, type WatchedRover, watchedRover } from '../reference/watched-rover'
-import { isLegal, isWall, problemOf, steps, type World, type XY } from '../reference/world'
-
-/** The rover's directions, clockwise from north. */
-const DIRECTIONS: readonly XY[] = [
-  [0, -1],
-  [1, -1],
-  [1, 0],
-  [1, 1],
-  [0, 1],
-  [-1, 1],
-  [-1, 0],
-  [-1, -1],
-]
+import {
+  DIRECTIONS,
+  isLegal,
+  isWall,
+  problemOf,
+  steps,
+  type World,
+  type XY,
+} from '../reference/world'
 
 /** Known is what was in the square around a place it sensed from, and in sight from there. */
 function mustKnowOnlyWhatItSensed(

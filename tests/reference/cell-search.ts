@@ -1,5 +1,5 @@
 import { type CostName, isShorter, lengthOf, type Way } from './shortest'
-import { isLegal, isSame, legalNeighbours, type World, type XY } from './world'
+import { DIRECTIONS, isLegal, legalNeighbours, type World, type XY } from './world'
 
 /** What a search knows of a cell that it has reached. */
 export interface Reached {
@@ -71,10 +71,7 @@ export class CellSearch {
   }
 }
 
-function neighboursOf([x, y]: XY): XY[] {
-  const square = [-1, 0, 1].flatMap((dy) => [-1, 0, 1].map((dx): XY => [x + dx, y + dy]))
-  return square.filter((cell) => !isSame(cell, [x, y]))
-}
+const neighboursOf = ([x, y]: XY): XY[] => DIRECTIONS.map(([dx, dy]) => [x + dx, y + dy])
 
 const stepWay = (from: XY, to: XY): Way => ({
   steps: 1,

@@ -18,6 +18,18 @@ export type XY = readonly [x: number, y: number]
 export type Rule = Problem['diagonal']
 export const RULES: readonly Rule[] = ['if-at-most-one-obstacle', 'only-when-no-obstacles']
 
+/** The steps to the neighbours of a cell, clockwise from north. */
+export const DIRECTIONS: readonly XY[] = [
+  [0, -1],
+  [1, -1],
+  [1, 0],
+  [1, 1],
+  [0, 1],
+  [-1, 1],
+  [-1, 0],
+  [-1, -1],
+]
+
 export const isSame = (a: XY, b: XY): boolean => a[0] === b[0] && a[1] === b[1]
 
 export function isWall(world: World, x: number, y: number): boolean {

@@ -1,4 +1,5 @@
 import { EVENT, type Tape } from '../../src/index'
+import { DIRECTIONS } from '../reference/world'
 import type { Event } from './arbitraries'
 
 /** All that is on a tape. */
@@ -13,22 +14,10 @@ export const written = (tape: Tape): Event[] =>
 
 export const kindsOf = (tape: Tape): number[] => written(tape).map(({ kind }) => kind)
 
-/** The steps to the neighbours of a cell, clockwise from north. */
-const STEPS = [
-  [0, -1],
-  [1, -1],
-  [1, 0],
-  [1, 1],
-  [0, 1],
-  [-1, 1],
-  [-1, 0],
-  [-1, -1],
-] as const
-
 /** The neighbours that the directions of an event name, with what a step there costs. */
 function neighbours({ cell, other }: Event, width: number, diagonalCost: number) {
   const [x, y] = [cell % width, Math.floor(cell / width)]
-  return STEPS.flatMap(([dx, dy], direction) =>
+  return DIRECTIONS.flatMap(([dx, dy], direction) =>
     other > 0 && Math.floor(other / 2 ** direction) % 2 === 1
       ? [{ cell: (y + dy) * width + x + dx, cost: dx !== 0 && dy !== 0 ? diagonalCost : 1 }]
       : [],
@@ -58,7 +47,7 @@ export function withOpened(events: readonly Event[], width: number, diagonalCost
 /** The directions in which a cell has neighbours on the map. */
 export function directionsInside(cell: number, width: number, height: number): number {
   const [x, y] = [cell % width, Math.floor(cell / width)]
-  return STEPS.reduce((directions, [dx, dy], direction) => {
+  return DIRECTIONS.reduce((directions, [dx, dy], direction) => {
     const [nx, ny] = [x + dx, y + dy]
     const isInside = nx >= 0 && ny >= 0 && nx < width && ny < height
     return isInside ? directions + 2 ** direction : directions
