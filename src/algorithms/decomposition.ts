@@ -4,8 +4,9 @@ import { wordsOf } from '../grid/words'
 import { EVENT } from '../trace/events'
 import type { Tape } from '../trace/tape'
 import { costParam } from './costs'
-import { aStar, jumpPointSearch } from './grid-search/a-star'
+import { aStar } from './grid-search/a-star'
 import { dijkstra } from './grid-search/dijkstra'
+import { jumpPointSearch } from './grid-search/jump-point'
 import type { CellSearch } from './grid-search/search'
 import type { Param } from './params'
 import { offlinePlanner } from './planner'
@@ -17,7 +18,7 @@ const { text, line } = pseudocode({
   start: 'open the start, with cost 0',
   close:
     'close the open cell of least cost (a-star, jump-point: cost so far and what is left at least): its way is final; open each neighbour that gets a shorter way over it, except those that its parent reaches as cheaply',
-  jump: 'jump-point: instead of a neighbour open the next cell that way where a path may turn',
+  jump: 'jump-point: instead of a neighbour open the next cell that way where a path has a choice',
   found: 'if it is the goal: follow the parents back to the start',
   none: 'if no cell is open: no path exists',
 })
@@ -31,7 +32,7 @@ const SEARCHES = {
 const cellSearchParam = {
   ...searchParam,
   choices: [...searchParam.choices, 'jump-point'],
-  help: 'dijkstra: the report’s, by the cost so far; a-star: by that plus the least cost of what is left; jump-point: a-star over the cells where a path may turn. The same cost, with fewer expanded.',
+  help: 'dijkstra: the report’s, by the cost so far; a-star: by that plus the least cost of what is left; jump-point: a-star over the cells where a path has a choice. The same cost, with fewer expanded.',
 } as const satisfies Param
 
 export const decomposition = offlinePlanner({

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest'
-import { runAlong, straightRuns } from '../../src/algorithms/grid-search/straight-runs'
+import { runAlong, straightRuns } from '../../src/algorithms/grid-search/jump-points/straight-runs'
 import { successorsUnder } from '../../src/algorithms/grid-search/successors'
 import { DX, DY, stepOffsets } from '../../src/grid/directions'
 import type { Grid } from '../../src/grid/grid'

@@ -2,31 +2,21 @@ import { stepOffsets } from '../../grid/directions'
 import { allLegalSteps } from '../../grid/legal-steps'
 import type { Directions } from '../../grid/steps'
 import { DIAGONAL_WEIGHT, weightsTo } from '../costs'
-import { Jumps } from './jumps'
-import { CLOSED, DIRECTION, memoryFor, OPEN } from './memory'
+import { CLOSED, DIRECTION, memoryFor, OPEN, openCells } from './memory'
 import { Recorder } from './recorder'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
 import { NO_DIRECTION, successorsUnder } from './successors'
-import { wayBack, wayBackOverJumps } from './way-back'
+import { wayBack } from './way-back'
 
 /**
  * A* with the weight of the simplest path to the goal as its estimate. No path weighs less, so the
  * way to a cell that is closed is final. (P. E. Hart, N. J. Nilsson and B. Raphael, "A formal basis
  * for the heuristic determination of minimum cost paths", 1968.)
- */
-export const aStar = (task: SearchTask): Found => search(task, false)
-
-/**
- * Jump point search: A* that opens only cells where a shortest path may turn, and jumps over all
- * others. (D. Harabor and A. Grastien, "Online graph pruning for pathfinding on grid maps", 2011.)
- */
-export const jumpPointSearch = (task: SearchTask): Found => search(task, true)
-
-/**
+ *
  * A step straight for the goal makes the way longer by what it takes from the estimate, so its cell
  * comes next of all: over open ground the search runs to the goal.
  */
-function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: boolean): Found {
+export function aStar({ problem, cost, tape, lines, progress }: SearchTask): Found {
   const { grid, start, goal, diagonal } = problem
   const cells = grid.walls.length
   const legal = allLegalSteps(grid, diagonal)
@@ -36,10 +26,6 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
   const estimate = weightsTo(goal, cost, grid.width)
   const memory = memoryFor(cells)
   const { states, weights } = memory
-  const jumps = jumping
-    ? new Jumps(legal, successors, offsets, diagonalWeight, problem, memory)
-    : null
-  const { openCells } = memory
   const record = tape && new Recorder(tape, lines, cost)
   let expanded = 0
   states[start] = OPEN | NO_DIRECTION
@@ -53,41 +39,28 @@ function search({ problem, cost, tape, lines, progress }: SearchTask, jumping: b
     states[cell] = state | CLOSED
     const weight = weights[cell]
     if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
-    if (record && (jumps || cell === goal)) {
-      record.closed(cell, 0, weight)
-      record.least(cell, openCells.least)
-    }
     if (cell === goal) {
-      const path = jumping
-        ? wayBackOverJumps(start, goal, memory, offsets, diagonalWeight)
-        : wayBack(start, goal, memory, offsets)
-      return { path, expanded }
+      record?.closed(cell, 0, weight)
+      record?.least(cell, openCells.least)
+      return { path: wayBack(start, goal, memory, offsets), expanded }
     }
     let opened: Directions = 0
     let steps = successors[((state & DIRECTION) << 8) | legal[cell]]
     while (steps !== 0) {
-      let direction = 31 - Math.clz32(steps)
+      const direction = 31 - Math.clz32(steps)
       steps ^= 1 << direction
-      let reached = cell + offsets[direction]
-      let longer = weight + (direction & 1 ? diagonalWeight : 1)
-      if (jumps) {
-        reached = jumps.from(cell, direction, weight)
-        if (reached < 0) continue
-        longer = jumps.weight
-        direction = jumps.direction
-      }
-      const known = states[reached]
-      if (known & CLOSED || (known !== 0 && longer >= weights[reached])) continue
-      states[reached] = OPEN | direction
-      weights[reached] = longer
-      openCells.push(reached, longer + estimate(reached))
+      const neighbour = cell + offsets[direction]
+      const known = states[neighbour]
+      if (known & CLOSED) continue
+      const longer = weight + (direction & 1 ? diagonalWeight : 1)
+      if (known !== 0 && longer >= weights[neighbour]) continue
+      states[neighbour] = OPEN | direction
+      weights[neighbour] = longer
+      openCells.push(neighbour, longer + estimate(neighbour))
       opened |= 1 << direction
-      if (record && jumps) record.jumped(reached, cell, longer)
     }
-    if (record && !jumps) {
-      record.closed(cell, opened, weight)
-      record.least(cell, openCells.least)
-    }
+    record?.closed(cell, opened, weight)
+    record?.least(cell, openCells.least)
   }
   return { path: new Int32Array(0), expanded }
 }

@@ -1,4 +1,5 @@
 import type { Cell } from '../../grid/grid'
+import { larger } from './larger'
 
 const ROOM = 256
 
@@ -13,8 +14,6 @@ export class Bucket {
   }
 
   #grow(): void {
-    const more = new Int32Array(2 * this.count)
-    more.set(this.cells)
-    this.cells = more
+    this.cells = larger(this.cells, new Int32Array(2 * this.count))
   }
 }

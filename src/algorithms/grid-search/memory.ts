@@ -17,9 +17,10 @@ export interface Memory {
   readonly wholeWeights: Int32Array
   /** Empty ones. */
   readonly buckets: readonly [Bucket, Bucket, Bucket]
-  /** To be begun. */
-  readonly openCells: OpenCells
 }
+
+/** For any search, which is to begin with it: no two go on at the same time. */
+export const openCells = new OpenCells()
 
 /** Up to so many cells the memory is kept for the next search. */
 const KEPT_CELLS = 1 << 20
@@ -28,7 +29,7 @@ let kept: Memory | null = null
 
 /**
  * Memory for a search over so many cells, none of them reached. It belongs to the search until the
- * next one begins: no two go on at the same time.
+ * next one begins.
  */
 export function memoryFor(cells: number): Memory {
   if (kept === null || kept.states.length < cells) {
@@ -48,6 +49,5 @@ function newMemory(cells: number): Memory {
     weights,
     wholeWeights: new Int32Array(weights.buffer),
     buckets: [new Bucket(), new Bucket(), new Bucket()],
-    openCells: new OpenCells(),
   }
 }

@@ -1,6 +1,7 @@
 import FlatQueue from 'flatqueue'
 import type { Cell } from '../../grid/grid'
 import { Bucket } from './bucket'
+import { larger } from './larger'
 
 const SLOTS = 1 << 10
 const ROOM = 1 << 10
@@ -91,16 +92,11 @@ export class OpenCells {
   }
 
   #grow(): void {
-    this.#cells = doubled(this.#cells)
-    this.#next = doubled(this.#next)
+    const room = 2 * this.#cells.length
+    this.#cells = larger(this.#cells, new Int32Array(room))
+    this.#next = larger(this.#next, new Int32Array(room))
   }
 }
 
 /** Weights are multiples of 2^-30 that seldom differ in the last bits only: other bits tell them apart. */
 const slotOf = (weight: number): number => ((weight * (2 ** 23 + 509)) | 0) & (SLOTS - 1)
-
-function doubled(array: Int32Array<ArrayBuffer>): Int32Array<ArrayBuffer> {
-  const more = new Int32Array(2 * array.length)
-  more.set(array)
-  return more
-}

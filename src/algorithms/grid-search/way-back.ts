@@ -19,32 +19,3 @@ export function wayBack(
   path[0] = start
   return path
 }
-
-/**
- * The same after jumps, which tell nothing of the cells between: the one before is the first on the
- * way whose own path, with the steps between, weighs the same. Weights are sums without rounding, so
- * they can be compared.
- */
-export function wayBackOverJumps(
-  start: Cell,
-  goal: Cell,
-  { states, weights, buckets }: Memory,
-  offsets: Int32Array,
-  diagonalWeight: number,
-): Int32Array {
-  // Nobody waits in it: jumps use no buckets.
-  const [backwards] = buckets
-  for (let cell = goal; cell !== start; ) {
-    const direction = states[cell] & DIRECTION
-    const offset = offsets[direction]
-    const step = direction & 1 ? diagonalWeight : 1
-    let weight = weights[cell]
-    do {
-      backwards.push(cell)
-      cell -= offset
-      weight -= step
-    } while (states[cell] === 0 || weights[cell] !== weight)
-  }
-  backwards.push(start)
-  return backwards.cells.slice(0, backwards.count).reverse()
-}

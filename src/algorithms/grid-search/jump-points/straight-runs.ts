@@ -1,6 +1,6 @@
-import type { Direction } from '../../grid/directions'
-import type { Grid } from '../../grid/grid'
-import type { DiagonalRule } from '../../grid/steps'
+import { type Direction, DX, DY } from '../../../grid/directions'
+import type { Grid } from '../../../grid/grid'
+import type { DiagonalRule } from '../../../grid/steps'
 import { type BitLines, reversed, rowLines, transposed } from './bit-lines'
 
 const NORTH: Direction = 0
@@ -34,6 +34,18 @@ export function straightRuns({ walls, width }: Grid, rule: DiagonalRule): readon
   runs[SOUTH] = { ...marked(columns, rule), first: 0 }
   runs[NORTH] = { ...marked(reversed(columns), rule), first: 32 * columns.wordsEach - 1 }
   return runs
+}
+
+/** The run from (x, y) in straight direction `d`, of whose `runs` these are. */
+export function runFrom(
+  { marks, wordsEach, first }: StraightRuns,
+  x: number,
+  y: number,
+  d: Direction,
+): number {
+  return DX[d] === 0
+    ? runAlong(marks, x * wordsEach, first + y * DY[d] + 1)
+    : runAlong(marks, y * wordsEach, first + x * DX[d] + 1)
 }
 
 /**

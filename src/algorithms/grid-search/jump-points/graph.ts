@@ -1,0 +1,164 @@
+import type { Direction } from '../../../grid/directions'
+import { type Cell, rowOf } from '../../../grid/grid'
+import type { Problem } from '../../../grid/problem'
+import type { Directions } from '../../../grid/steps'
+import { successorsUnder } from '../successors'
+import { Edges } from './edges'
+import type { GoalInSight } from './goal-in-sight'
+import { Looks } from './looks'
+import { Rounds } from './rounds'
+import { Vertices } from './vertices'
+
+let kept: { legal: Uint8Array; diagonalWeight: number; graph: JumpGraph } | null = null
+
+/**
+ * The graph of the map of which these are the legal steps. What a search finds out about it is kept
+ * for the next one on the same map.
+ */
+export function jumpGraphOf(
+  legal: Uint8Array,
+  problem: Problem,
+  diagonalWeight: number,
+): JumpGraph {
+  if (kept?.legal !== legal || kept.diagonalWeight !== diagonalWeight) {
+    kept = { legal, diagonalWeight, graph: new JumpGraph(legal, problem, diagonalWeight) }
+  }
+  return kept.graph
+}
+
+/**
+ * Where jumps lead on a map, whatever the goal. Vertices are the cells to which they led so far; an
+ * edge leads from one where a path has a choice to the next one. All is looked for when it is first
+ * asked for, and only once.
+ */
+export class JumpGraph {
+  // Of the latest way that was followed, the vertex where it ends (-1 if it leads nowhere), what it
+  // weighs, the direction of its last step, and how many columns or rows away jumps looked:
+  end = -1
+  weight = 0
+  arrival: Direction = 0
+  farView = 0
+  readonly vertices = new Vertices()
+  readonly edges = new Edges()
+  readonly looks: Looks
+  readonly #rounds = new Rounds()
+  readonly #legal: Uint8Array
+  readonly #successors: Uint8Array
+  readonly #width: number
+  readonly #share: number
+  /** By cell its vertex, counted from 1. */
+  readonly #vertexOf: Int32Array
+
+  constructor(legal: Uint8Array, problem: Problem, diagonalWeight: number) {
+    this.looks = new Looks(legal, problem, diagonalWeight)
+    this.#legal = legal
+    this.#successors = successorsUnder(problem.diagonal)
+    this.#width = problem.grid.width
+    this.#share = 1 / this.#width
+    this.#vertexOf = new Int32Array(legal.length)
+  }
+
+  /** The vertex of a cell; -1 if there is none. */
+  vertexAt(cell: Cell): number {
+    return this.#vertexOf[cell] - 1
+  }
+
+  /** The vertex of a cell, made if there is none. */
+  madeAt(cell: Cell): number {
+    const known = this.vertexAt(cell)
+    if (known >= 0) return known
+    const vertex = this.vertices.add(cell, this.#legal[cell])
+    this.#vertexOf[cell] = vertex + 1
+    return vertex
+  }
+
+  /** Where a shortest path may go on from a vertex to which it came in direction `arrival`. */
+  ways(vertex: number, arrival: number): Directions {
+    return this.#successors[(arrival << 8) | this.vertices.legal(vertex)]
+  }
+
+  /**
+   * Sees to it that the edges from a vertex in these directions are known; returns how many columns
+   * or rows away jumps looked for them at most.
+   */
+  explore(vertex: number, directions: Directions): number {
+    const { vertices, edges } = this
+    let missing = directions & ~vertices.followed[vertex]
+    vertices.followed[vertex] |= missing
+    while (missing !== 0) {
+      const d = 31 - Math.clz32(missing)
+      missing ^= 1 << d
+      this.follow(vertex, d, null)
+      vertices.farViews[vertex] = Math.max(vertices.farViews[vertex], this.farView)
+      if (this.end < 0) continue
+      const first = vertices.edges[vertex] - 1
+      vertices.edges[vertex] = edges.add(first, this.end, d, this.arrival, this.weight) + 1
+    }
+    return vertices.farViews[vertex]
+  }
+
+  /**
+   * Jumps from a vertex, first in a legal direction, until several ways lead on. One is no choice.
+   * @param goal to end at, and to look for from each vertex on the way
+   */
+  follow(vertex: number, departure: Direction, goal: GoalInSight | null): void {
+    const { vertices, looks } = this
+    const begin = vertices.cell(vertex)
+    let cell = begin
+    let d = departure
+    this.end = -1
+    this.weight = 0
+    this.farView = 0
+    this.#rounds.begin()
+    do {
+      const end = looks.from(cell, d, goal)
+      this.#widenView(begin, cell, looks.view)
+      if (end < 0) return
+      const to = this.madeAt(end)
+      this.weight += looks.weight
+      this.arrival = looks.arrival
+      const isGoal = goal?.isAt(end) ?? false
+      const ways = isGoal ? 0 : this.leading(to, this.ways(to, this.arrival), goal)
+      if (isGoal || (ways & (ways - 1)) !== 0) {
+        this.end = to
+        return
+      }
+      this.#widenView(begin, end, vertices.views[to])
+      if (ways === 0) return
+      cell = end
+      d = 31 - Math.clz32(ways)
+    } while (!this.#rounds.isBack(cell, d))
+  }
+
+  /**
+   * Those of the ways from a vertex that lead to a jump point; some of them if there are several.
+   * @param goal that counts as one, as does a place from where a straight way leads to it
+   */
+  leading(vertex: number, ways: Directions, goal: GoalInSight | null): Directions {
+    const { vertices, looks } = this
+    const cell = vertices.cell(vertex)
+    let leading = ways & vertices.leading[vertex]
+    let missing = ways & ~vertices.tried[vertex]
+    while (missing !== 0 && (leading & (leading - 1)) === 0) {
+      const d = 31 - Math.clz32(missing)
+      missing ^= 1 << d
+      if (looks.from(cell, d, null) >= 0) leading |= 1 << d
+      vertices.tried[vertex] |= 1 << d
+      vertices.views[vertex] = Math.max(vertices.views[vertex], looks.view)
+    }
+    vertices.leading[vertex] |= leading
+    if ((leading & (leading - 1)) === 0 && goal?.isNear(cell, vertices.views[vertex])) {
+      for (let d = 0; d < 8; d++) {
+        if ((ways >> d) & 1 && looks.from(cell, d, goal) >= 0) leading |= 1 << d
+      }
+    }
+    return leading
+  }
+
+  /** `view` is how far a jump looked from a cell on the way that began elsewhere. */
+  #widenView(begin: Cell, cell: Cell, view: number): void {
+    const rows = rowOf(cell, this.#share) - rowOf(begin, this.#share)
+    const columns = cell - begin - rows * this.#width
+    this.farView = Math.max(this.farView, Math.abs(rows) + view, Math.abs(columns) + view)
+  }
+}
