@@ -7,7 +7,7 @@ import { Playback } from './playback'
 import { sceneOf } from './scene'
 import { type State, visiblePlan } from './state'
 import type { Store } from './store'
-import { layOut } from './transitions'
+import { crowd, layOut } from './transitions'
 import { played } from './transport'
 
 /** Shows a state, and the plan at the moment at which its cursor stands. */
@@ -90,7 +90,7 @@ export class Stage {
     this.#rendered = state
     const isPainted = this.#picture.draw(this.scene(), state.view, paintingTime())
     this.#map.dataset.painted = String(isPainted)
-    this.#map.dataset.crowded = String(this.#picture.isCrowded)
+    this.#store.update((before) => crowd(before, this.#picture.isCrowded))
     if (state.playing || state.run.kind === 'running' || !isPainted) this.#request()
   }
 
