@@ -116,6 +116,19 @@ describe('checkpoints', () => {
       }),
     )
   })
+
+  test('share the memory of the lists that may be long', () => {
+    const kinds = [EVENT.vertex, EVENT.edge]
+    const list = Array.from({ length: 200 }, (_, i) => {
+      return { kind: kinds[i % 2], line: 0, cell: 1, other: 2, value: 0 }
+    })
+    const { last, checkpoints } = foldWhole(tapeOf(list), 20, 10)
+    expect(checkpoints.length).toBeGreaterThan(5)
+    for (const { vertices, edges } of checkpoints.map(packed)) {
+      expect(vertices.buffer).toBe(last.vertices.buffer)
+      expect(edges.buffer).toBe(last.edges.buffer)
+    }
+  })
 })
 
 describe('a player', () => {
