@@ -151,6 +151,35 @@ describe('a player', () => {
     )
   })
 
+  test('comes to a moment a little at a time, and may be called elsewhere on the way', () => {
+    const some = fc.integer({ min: 1, max: 20 })
+    const moves = fc.array(fc.tuple(fc.nat({ max: 60 }), fc.integer({ min: 1, max: 4 })))
+    fc.assert(
+      fc.property(
+        events,
+        moves,
+        some,
+        some,
+        fc.nat({ max: 60 }),
+        (list, times, reach, spacing, end) => {
+          const tape = tapeOf(list)
+          const { checkpoints } = foldWhole(tape, spacing, spacing)
+          const player = new Player(tape, checkpoints.map(packed), reach)
+          const isUp = () => true
+          for (const [time, patience] of times) {
+            for (let i = 0; i < patience && !player.approach(time, isUp); i++);
+          }
+          let calls = 1
+          while (!player.approach(end, isUp)) calls++
+          expect(player.frame).toEqual(picture(list.slice(0, end)))
+          // From the start, or from the checkpoint before, to a frame on the way and on from there.
+          expect(calls).toBeLessThanOrEqual(2 + Math.ceil(list.length / reach))
+        },
+      ),
+      { numRuns: 500 },
+    )
+  })
+
   test('leaves the frames of its past as they were when it goes back', () => {
     const step = (cell: number): Event => ({ kind: EVENT.step, line: 0, cell, other: -1, value: 0 })
     const player = new Player(tapeOf([step(0), step(1), step(2)]))
