@@ -34,7 +34,9 @@ export async function openScenario(page: Page, title: string): Promise<void> {
 
 /** Waits until this many steps have been taken; `of` how many. */
 export async function expectStep(page: Page, step: number, of?: number): Promise<void> {
-  const words = new RegExp(`^Step ${step} of ${of ?? '\\d+'}$`)
+  const inThousands = (count: number) => count.toLocaleString('en')
+  const all = of === undefined ? '[\\d,]+' : inThousands(of)
+  const words = new RegExp(`^Step ${inThousands(step)} of ${all}$`)
   await expect(playback(page).getByText(words)).toBeVisible()
 }
 

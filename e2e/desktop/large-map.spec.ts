@@ -125,7 +125,9 @@ test('one steps back from the end of a plan of millions of steps, and forwards a
 
 test('a plan too long for its tape says that small things are left out', async ({ page }) => {
   await planOnLargestMap(page, 'Potential field')
-  await expect(playback(page).getByText(/^Step \d+ of \d+, small things left out$/)).toBeVisible()
+  await expect(
+    playback(page).getByText(/^Step [\d,]+ of [\d,]+, small things left out$/),
+  ).toBeVisible()
   const words = /^This plan is too long to keep all that happens in it\. Small things are left out/
   await expect(reasons(page).getByText(words)).toBeVisible()
   await press(page, 'ArrowLeft')

@@ -8,6 +8,7 @@ import { drawIcons } from './icons'
 import { keep } from './keeper'
 import { bindLink } from './open-link'
 import { compareCard } from './panels/compare-card'
+import { crowdedNote } from './panels/crowded-note'
 import { hint } from './panels/hint'
 import { mapMenu } from './panels/map-menu'
 import { messages } from './panels/messages'
@@ -71,6 +72,7 @@ function panels(
     stepsCard(store),
     compareCard(store, () => stage.coversChanged(true)),
     playbackBar(store),
+    crowdedNote(),
     toolbar(store, help),
     messages(store),
     hint(store, () => stage.coversChanged(true)),

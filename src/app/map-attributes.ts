@@ -23,6 +23,7 @@ export function mapAttributes(state: State): Record<string, string> {
     cells: isSettled(state) && state.shown ? String(state.shown.outcome.path.length) : '',
     playing: String(playing !== null),
     run: run.kind,
+    crowded: String(state.crowded),
   }
 }
 

@@ -18,7 +18,18 @@ export class Moments {
     const shown = visiblePlan(state)
     if (!shown) return null
     if (state.time >= shown.tape.length) return { shown, frame: shown.last }
-    if (this.#player?.tape !== shown.tape) this.#player = new Player(shown.tape, shown.checkpoints)
-    return { shown, frame: this.#player.moveTo(state.time) }
+    return { shown, frame: this.#playerOf(shown).moveTo(state.time) }
+  }
+
+  /** Goes on looking for the moment of a state, for so long as there is time; says whether it is found. */
+  seek(state: State, isTimeUp: () => boolean): boolean {
+    const shown = visiblePlan(state)
+    if (!shown || state.time >= shown.tape.length) return true
+    return this.#playerOf(shown).approach(state.time, isTimeUp)
+  }
+
+  #playerOf({ tape, checkpoints }: Shown): Player {
+    if (this.#player?.tape !== tape) this.#player = new Player(tape, checkpoints)
+    return this.#player
   }
 }

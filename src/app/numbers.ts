@@ -5,9 +5,14 @@
 export function numberInWords(value: number): string {
   if (Number.isNaN(value)) return '–'
   if (!Number.isFinite(value)) return value < 0 ? '−∞' : '∞'
-  const rounded = Math.round(value * 100) / 100
-  return String(rounded).replace(/\B(?=(\d{3})+(\.|$))/g, ',')
+  return inThousands(String(Math.round(value * 100) / 100))
 }
+
+/** A length in cell sides, always with two decimals, so that lengths stand below each other. */
+export const lengthInWords = (length: number): string => inThousands(length.toFixed(2))
+
+/** @param digits with two decimals at most */
+const inThousands = (digits: string): string => digits.replace(/\B(?=(\d{3})+(\.|$))/g, ',')
 
 /** "1 step", "2 steps". */
 export const countInWords = (count: number, what: string): string =>

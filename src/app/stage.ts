@@ -7,7 +7,7 @@ import { Playback } from './playback'
 import { sceneOf } from './scene'
 import { type State, visiblePlan } from './state'
 import type { Store } from './store'
-import { layOut } from './transitions'
+import { crowd, layOut } from './transitions'
 import { played } from './transport'
 
 /** Shows a state, and the plan at the moment at which its cursor stands. */
@@ -15,6 +15,8 @@ export type Panel = (state: State, moment: Moment | null) => void
 
 /** How long a frame may be painted on: what is left of a large map comes in the next one. */
 const PAINTING_MS = 4
+/** And how long a moment may be looked for that lies far away on its tape. */
+const SEEKING_MS = 6
 
 /**
  * What is seen: in the one animation frame of the page the playback goes on, the panels show the
@@ -84,14 +86,32 @@ export class Stage {
     this.#isRequested = false
     this.#tick()
     this.#play(now)
+    if (this.#isSeeking()) {
+      this.#request()
+      return
+    }
     if (this.#store.state !== this.#rendered) this.#showPanels(this.#store.state)
     if (this.#layout !== 'measured') this.#measure()
     const { state } = this.#store
     this.#rendered = state
     const isPainted = this.#picture.draw(this.scene(), state.view, paintingTime())
     this.#map.dataset.painted = String(isPainted)
-    this.#map.dataset.crowded = String(this.#picture.isCrowded)
+    this.#store.update((before) => crowd(before, this.#picture.isCrowded))
     if (state.playing || state.run.kind === 'running' || !isPainted) this.#request()
+  }
+
+  /**
+   * Whether the moment is to be shown in a later frame, because it takes a while to be found. Nothing
+   * else waits: neither what a person draws on the map nor a plan that is played.
+   */
+  #isSeeking(): boolean {
+    const { state } = this.#store
+    const before = this.#rendered
+    const isJump = before && state.shown === before.shown && state.setup === before.setup
+    if (!isJump || state.time === before.time || state.playing) return false
+    const end = performance.now() + SEEKING_MS
+    const isTimeUp = () => performance.now() > end
+    return !this.#moments.seek(state, isTimeUp) || isTimeUp()
   }
 
   #play(now: number): void {

@@ -72,6 +72,8 @@ export interface State {
   readonly screen: ScreenSize
   /** What the cards cover of the screen. */
   readonly covered: readonly Rect[]
+  /** Whether the picture leaves out vertices or edges, because they are too many to be told apart. */
+  readonly crowded: boolean
   /** The keyboard's cell, and whether it is on show. */
   readonly cursor: Cell
   readonly cursorShown: boolean
@@ -100,6 +102,7 @@ export function initialState(setup: Setup, preferences: Preferences): State {
     fitted: true,
     screen: { width: 0, height: 0 },
     covered: [],
+    crowded: false,
     cursor: setup.problem.start,
     cursorShown: false,
     hovered: -1,

@@ -154,6 +154,9 @@ export function layOut(
   return { ...laidOut, view: keepOnScreen(state.view, state.setup.problem.grid, screen) }
 }
 
+export const crowd = (state: State, crowded: boolean): State =>
+  crowded === state.crowded ? state : { ...state, crowded }
+
 export const moveCursor = (state: State, cursor: Cell): State => ({
   ...state,
   cursor,

@@ -1,7 +1,7 @@
 import type { Outcome } from '../algorithms/plan'
 import { cellName } from '../grid/grid'
 import type { Status } from '../trace/events'
-import { countInWords, numberInWords } from './numbers'
+import { countInWords, lengthInWords, numberInWords } from './numbers'
 
 /** How good the news is: it gets its own colour and icon. */
 export type Tone = 'good' | 'proof' | 'bad'
@@ -64,7 +64,7 @@ export function outcomeNumbers(
   if (path.length > 0) {
     rows.push(
       { label: walked, value: cellsInWords(path.length) },
-      { label: 'Euclidean length', value: measure.length.toFixed(2) },
+      { label: 'Euclidean length', value: lengthInWords(measure.length) },
       { label: 'Turns', value: numberInWords(measure.turns) },
     )
   }

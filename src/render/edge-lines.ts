@@ -9,7 +9,7 @@ import { runToEnd, type Work } from './work'
 const ONWARD = [2, 3, 4, 5] as const
 
 /** So many edges, or cells, take a fraction of the time in a frame. */
-const EDGES_AT_ONCE = 1 << 14
+const EDGES_AT_ONCE = 1 << 13
 const CELLS_AT_ONCE = 1 << 16
 
 /**
@@ -32,13 +32,12 @@ export class EdgeCover implements Indexer<LineIndex> {
   readonly #columns: number
   readonly #rows: number
   /** For each direction and cell: how many edges begin there, less those that end. */
-  readonly #changes: readonly Int32Array[]
+  readonly #changes: Int32Array[] = []
   #added = 0
 
   constructor(columns: number, rows: number) {
     this.#columns = columns
     this.#rows = rows
-    this.#changes = ONWARD.map(() => new Int32Array(columns * rows))
   }
 
   *take(edges: Cells, length: number): Work<LineIndex> {
@@ -50,6 +49,11 @@ export class EdgeCover implements Indexer<LineIndex> {
 
   /** Adds those of the first `length` entries of a list that are not yet added. */
   *add(edges: Cells, length: number): Work<void> {
+    const cells = this.#columns * this.#rows
+    while (this.#changes.length < ONWARD.length) {
+      this.#changes.push(new Int32Array(cells))
+      if (cells > CELLS_AT_ONCE) yield
+    }
     while (this.#added < length) {
       const to = Math.min(length, this.#added + 2 * EDGES_AT_ONCE)
       for (let i = this.#added; i + 1 < to; i += 2) this.#addEdge(edges[i], edges[i + 1])

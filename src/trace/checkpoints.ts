@@ -30,7 +30,14 @@ export function foldWhole(tape: Tape, spacing = SPACING, beforeEnd = BEFORE_END)
     if (bytes <= MOST_BYTES || time === times.at(-1)) checkpoints.push(copyOf(last))
   }
   advance(last, tape, tape.length)
+  for (const frame of checkpoints) shareLists(frame, last)
   return { last, checkpoints }
+}
+
+/** The long lists of a frame begin as those at the end do, so they need no memory of their own. */
+function shareLists(frame: Frame, { vertices, edges }: Frame): void {
+  frame.vertices = vertices.subarray(0, frame.vertices.length)
+  frame.edges = edges.subarray(0, frame.edges.length)
 }
 
 function checkpointTimes(length: number, spacing: number, beforeEnd: number): number[] {
@@ -40,9 +47,10 @@ function checkpointTimes(length: number, spacing: number, beforeEnd: number): nu
   return [...times, length - beforeEnd]
 }
 
-function sizeOf({ cells, fields, vertices, edges, trail, path }: Frame): number {
+/** Of what a frame does not share with the others. */
+function sizeOf({ cells, fields, trail, path }: Frame): number {
   const { attraction, repulsion, potential } = fields
   const ofFields = [attraction, repulsion, potential].map((field) => field?.byteLength ?? 0)
-  const entries = vertices.length + edges.length + trail.length + path.length
-  return ofFields.reduce((sum, size) => sum + size, cells.byteLength + ENTRY_BYTES * entries)
+  const ofLists = ENTRY_BYTES * (trail.length + path.length)
+  return ofFields.reduce((sum, size) => sum + size, cells.byteLength + ofLists)
 }

@@ -32,25 +32,48 @@ export class Player {
 
   /** Moves to the moment after the first `time` events, clamped to the tape. */
   moveTo(time: number): Frame {
+    this.approach(time, () => false)
+    return this.#current
+  }
+
+  /**
+   * Goes on towards that moment until it is reached or the time is up, a little at least. Says whether
+   * it is reached; before, `frame` is that of no moment in particular.
+   */
+  approach(time: number, isTimeUp: () => boolean): boolean {
     const to = Math.max(0, Math.min(time, this.tape.length))
     const checkpoint = this.#checkpointBefore(to)
-    if (to < this.#current.time) this.#current = this.#frameBefore(to, checkpoint)
-    else if (checkpoint && checkpoint.time > this.#current.time) this.#current = copyOf(checkpoint)
-    advance(this.#current, this.tape, to)
-    return this.#current
+    if (to < this.#current.time) {
+      const before = this.#frameBefore(to, checkpoint, isTimeUp)
+      if (!before) return false
+      this.#current = before
+    } else if (checkpoint && checkpoint.time > this.#current.time) {
+      this.#current = copyOf(checkpoint)
+    }
+    return this.#fold(this.#current, to, isTimeUp)
+  }
+
+  /** Says whether the frame is at that time now. */
+  #fold(frame: Frame, time: number, isTimeUp: () => boolean): boolean {
+    while (frame.time < time) {
+      advance(frame, this.tape, Math.min(time, frame.time + this.#reach))
+      if (isTimeUp()) break
+    }
+    return frame.time >= time
   }
 
   #checkpointBefore(time: number): Frame | undefined {
     return this.#checkpoints.findLast((frame) => frame.time <= time)
   }
 
-  /** A new frame that is not after `time`, and not far before it. */
-  #frameBefore(time: number, checkpoint: Frame | undefined): Frame {
+  /** A new frame that is not after `time`, and not far before it; `null` if it takes longer. */
+  #frameBefore(time: number, checkpoint: Frame | undefined, isTimeUp: () => boolean): Frame | null {
     const newFrame = () => (checkpoint ? copyOf(checkpoint) : firstFrame(this.tape))
     const from = checkpoint?.time ?? 0
     if (time - from <= this.#reach) return newFrame()
     if (!this.#kept || this.#kept.time > time || this.#kept.time < from) this.#kept = newFrame()
-    if (this.#kept.time < time - 2 * this.#reach) advance(this.#kept, this.tape, time - this.#reach)
+    const isFar = this.#kept.time < time - 2 * this.#reach
+    if (isFar && !this.#fold(this.#kept, time - this.#reach, isTimeUp)) return null
     return copyOf(this.#kept)
   }
 }

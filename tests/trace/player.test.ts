@@ -116,6 +116,19 @@ describe('checkpoints', () => {
       }),
     )
   })
+
+  test('share the memory of the lists that may be long', () => {
+    const kinds = [EVENT.vertex, EVENT.edge]
+    const list = Array.from({ length: 200 }, (_, i) => {
+      return { kind: kinds[i % 2], line: 0, cell: 1, other: 2, value: 0 }
+    })
+    const { last, checkpoints } = foldWhole(tapeOf(list), 20, 10)
+    expect(checkpoints.length).toBeGreaterThan(5)
+    for (const { vertices, edges } of checkpoints.map(packed)) {
+      expect(vertices.buffer).toBe(last.vertices.buffer)
+      expect(edges.buffer).toBe(last.edges.buffer)
+    }
+  })
 })
 
 describe('a player', () => {
@@ -134,6 +147,35 @@ describe('a player', () => {
           expect(player.frame).toEqual(frameAt(tape, clamped))
         }
       }),
+      { numRuns: 500 },
+    )
+  })
+
+  test('comes to a moment a little at a time, and may be called elsewhere on the way', () => {
+    const some = fc.integer({ min: 1, max: 20 })
+    const moves = fc.array(fc.tuple(fc.nat({ max: 60 }), fc.integer({ min: 1, max: 4 })))
+    fc.assert(
+      fc.property(
+        events,
+        moves,
+        some,
+        some,
+        fc.nat({ max: 60 }),
+        (list, times, reach, spacing, end) => {
+          const tape = tapeOf(list)
+          const { checkpoints } = foldWhole(tape, spacing, spacing)
+          const player = new Player(tape, checkpoints.map(packed), reach)
+          const isUp = () => true
+          for (const [time, patience] of times) {
+            for (let i = 0; i < patience && !player.approach(time, isUp); i++);
+          }
+          let calls = 1
+          while (!player.approach(end, isUp)) calls++
+          expect(player.frame).toEqual(picture(list.slice(0, end)))
+          // From the start, or from the checkpoint before, to a frame on the way and on from there.
+          expect(calls).toBeLessThanOrEqual(2 + Math.ceil(list.length / reach))
+        },
+      ),
       { numRuns: 500 },
     )
   })

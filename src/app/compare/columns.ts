@@ -1,5 +1,5 @@
 import { plannerById } from '../../algorithms/plan'
-import { numberInWords } from '../numbers'
+import { lengthInWords, numberInWords } from '../numbers'
 import { timeInWords } from '../words'
 import type { ComparedPlan } from './compared'
 import type { ComparisonEntry } from './state'
@@ -63,12 +63,7 @@ export const COLUMNS: readonly Column[] = [
   numeric('Cells', 'Of the path, or of the way so far; both ends included', (plan) =>
     ofPath(plan, plan.cells),
   ),
-  numeric(
-    'Length',
-    'Euclidean, in cell sides',
-    (plan) => ofPath(plan, plan.length),
-    (length) => length.toFixed(2),
-  ),
+  numeric('Length', 'Euclidean, in cell sides', (plan) => ofPath(plan, plan.length), lengthInWords),
   numeric(
     'Ratio',
     'To the optimum, grid decomposition under the same rule: by steps, with * by Euclidean length',

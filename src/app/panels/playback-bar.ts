@@ -3,6 +3,7 @@ import { cellFactsInWords, cellInWords } from '../cell-line'
 import { byId, create, setText } from '../element'
 import { type IconName, setIcon } from '../icons'
 import { isAtEnd, type Moment } from '../moment'
+import { numberInWords } from '../numbers'
 import { SIGHTS } from '../preferences'
 import { type Score, scoreOf } from '../score'
 import { plannerOf } from '../setup'
@@ -91,7 +92,7 @@ export function playbackBar(store: Store<State>): (state: State, moment: Moment 
     const why = isFast(state.playing) ? '' : `: ${stepInWords(moment)}`
     scrubber.setAttribute('aria-valuetext', `step ${step} of ${steps}${why}`)
     const { briefly, words } = leftOut(moment.shown.tape.thinning)
-    setText(count, `Step ${step} of ${steps}${briefly}`)
+    setText(count, `Step ${numberInWords(step)} of ${numberInWords(steps)}${briefly}`)
     count.title = words
     const score = scoreOf(moment.shown.tape)
     if (score !== ticked) showTicks(ticks, score)

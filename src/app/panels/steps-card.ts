@@ -3,6 +3,7 @@ import { type CodeLine, codeSection } from '../code-section'
 import { byId, create, setText } from '../element'
 import { loopBegan } from '../loop'
 import type { Moment } from '../moment'
+import { numberInWords } from '../numbers'
 import { plannerOf, type Setup, valuesOf } from '../setup'
 import { isFast } from '../speeds'
 import type { State } from '../state'
@@ -39,7 +40,7 @@ export function stepsCard(store: Store<State>): (state: State, moment: Moment | 
     thinned.hidden = missing === ''
     loop = moment && loopBegan(moment)
     before.hidden = loop === null
-    setText(before, `See that time: step ${loop} here`)
+    setText(before, loop === null ? '' : `See that time: step ${numberInWords(loop)} here`)
     showRows(table, moment ? stepNumbers(moment) : [])
     code.show(moment?.shown.setup ?? setup, moment?.frame.line ?? -1)
   }

@@ -16,13 +16,17 @@ export function drawTangentGraph(
   const inMap = Array.from(nodes).filter((node) => node >= 0)
   pen.lineCap = 'butt'
   pen.lineJoin = 'miter'
-  pen.strokeStyle = theme.sensor
-  pen.lineWidth = line
   pen.beginPath()
   for (const node of inMap) {
     pen.moveTo(centreX(place, rover), centreY(place, rover))
     pen.lineTo(centreX(place, node), centreY(place, node))
   }
+  // On obstacles the line alone could hardly be seen.
+  pen.strokeStyle = theme.casing
+  pen.lineWidth = 3 * line
+  pen.stroke()
+  pen.strokeStyle = theme.sensor
+  pen.lineWidth = line
   pen.stroke()
 
   const radius = inProportion(place, 0.2, 3, 8)
