@@ -3,6 +3,7 @@ import { roadmapFaultsOn } from './check-roadmap'
 import { faultLines } from './faults'
 import type { BenchMap } from './maps'
 import type { Peer } from './peers/peer'
+import { questionsOn } from './questions'
 
 /** What came of asking everyone, before anything is timed. */
 export interface Checked {
@@ -10,8 +11,8 @@ export interface Checked {
   readonly faults: readonly Fault[]
 }
 
-export function checkMap(map: BenchMap, peers: readonly Peer[]): Checked {
-  return { queries: map.queries.length, faults: faultsOn(map, peers) }
+export function checkMaps(maps: readonly BenchMap[], peers: readonly Peer[]): Checked {
+  return { queries: questionsOn(maps).length, faults: faultsOn(maps, peers) }
 }
 
 export function checkRoadmaps(map: BenchMap): Checked {

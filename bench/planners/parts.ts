@@ -2,43 +2,57 @@ import type { Case } from './case'
 import { cellCases } from './cases/cells'
 import { fieldCase } from './cases/fields'
 import { roadmapCases, visibilityCase } from './cases/roadmaps'
-import { type SearchTargets, searchCases } from './cases/searches'
+import { firstQueryCases, type SearchTargets, searchCases } from './cases/searches'
 import { tapeCases, tapelessCases } from './cases/tapes'
 import { type BenchMap, generatedMap, MAP_KINDS, type MapKind, WIDE_KINDS } from './maps'
 import { allPeers, sturdyPeers } from './peers/all'
 import type { Peer } from './peers/peer'
+import { turnAbout } from './turned'
 
-/** A map of the bench and what is done with it. */
+/** A map of the bench, or several that are asked about in turn, and what is done with them. */
 export interface Part {
-  readonly name: string
   readonly isLarge: boolean
   /** Made anew each time, so that nobody has to keep the maps of all parts. */
-  readonly make: () => BenchMap
+  readonly make: () => readonly BenchMap[]
   readonly peers: readonly Peer[]
-  readonly cases: (map: BenchMap) => Case[]
+  readonly cases: (maps: readonly BenchMap[]) => Case[]
 }
 
 const SIZES = [
-  { width: 60, height: 40, queries: 8, kinds: MAP_KINDS },
-  { width: 200, height: 200, queries: 4, kinds: MAP_KINDS },
-  { width: 1000, height: 1000, queries: 2, kinds: [...MAP_KINDS, ...WIDE_KINDS] },
+  { width: 60, height: 40, queries: 8, kinds: MAP_KINDS, isLarge: false },
+  { width: 200, height: 200, queries: 4, kinds: MAP_KINDS, isLarge: false },
+  { width: 1000, height: 1000, queries: 2, kinds: [...MAP_KINDS, ...WIDE_KINDS], isLarge: true },
 ] as const
 
 const SEED = 1
 
+type BenchSize = (typeof SIZES)[number]
+
 /** All maps that are timed. */
-export const parts: readonly Part[] = SIZES.flatMap((size) =>
-  size.kinds.map((kind): Part => {
-    const isLarge = size.width === 1000
-    return {
-      name: `${kind} ${size.width}×${size.height}`,
-      isLarge,
-      make: () => generatedMap(kind, size, SEED, size.queries),
-      peers: isLarge ? sturdyPeers : allPeers,
-      cases: (map) => casesOn(kind, map, isLarge),
-    }
-  }),
-)
+export const parts: readonly Part[] = [
+  ...SIZES.flatMap((size) => size.kinds.map((kind) => mapPart(kind, size))),
+  ...SIZES.flatMap((size) => MAP_KINDS.map((kind) => firstQueryPart(kind, size))),
+]
+
+function mapPart(kind: MapKind, size: BenchSize): Part {
+  return {
+    ...sized(size),
+    make: () => [generatedMap(kind, size, SEED, size.queries)],
+    cases: ([map]) => casesOn(kind, map, size.isLarge),
+  }
+}
+
+function firstQueryPart(kind: MapKind, size: BenchSize): Part {
+  return {
+    ...sized(size),
+    make: () => turnAbout(generatedMap(kind, size, SEED, size.queries)),
+    cases: firstQueryCases,
+  }
+}
+
+function sized({ isLarge }: BenchSize): Pick<Part, 'isLarge' | 'peers'> {
+  return { isLarge, peers: isLarge ? sturdyPeers : allPeers }
+}
 
 function casesOn(kind: MapKind, map: BenchMap, isLarge: boolean): Case[] {
   const cases = [

@@ -1,5 +1,5 @@
 import { searchCases } from './cases/searches'
-import { checkInWords, checkMap, isOursRight, together } from './checked'
+import { checkInWords, checkMaps, isOursRight, together } from './checked'
 import type { Command } from './command'
 import type { BenchMap } from './maps'
 import { misstated, readScenarioMaps } from './movingai'
@@ -20,7 +20,7 @@ export function benchFiles({ maps, scenarios }: Command): boolean {
   for (const line of wrong) say(`  ${line}`)
   const some = read.map(({ map }) => withFewer(map))
   const checked = together(
-    some.map((map) => checkMap(map, map.grid.walls.length > SMALL ? sturdyPeers : allPeers)),
+    some.map((map) => checkMaps([map], map.grid.walls.length > SMALL ? sturdyPeers : allPeers)),
   )
   say(checkInWords(checked).join('\n'))
   if (wrong.length > 0 || !isOursRight(checked)) return false

@@ -4,7 +4,7 @@ import type { Case } from './case'
 import {
   type Checked,
   checkInWords,
-  checkMap,
+  checkMaps,
   checkRoadmaps,
   isOursRight,
   together,
@@ -41,9 +41,9 @@ function* casesOf(chosen: readonly Part[], isChosen: (one: Case) => boolean): Ge
 function checkAll(chosen: readonly Part[]): Checked {
   const roadmapSize = { width: 120, height: 80 }
   return together([
-    ...[...furtherMaps()].map((map) => checkMap(map, allPeers)),
+    ...[...furtherMaps()].map((map) => checkMaps([map], allPeers)),
     ...MAP_KINDS.map((kind) => checkRoadmaps(generatedMap(kind, roadmapSize, 1, 2))),
-    ...chosen.map((part) => checkMap(part.make(), part.peers)),
+    ...chosen.map((part) => checkMaps(part.make(), part.peers)),
   ])
 }
 

@@ -59,7 +59,7 @@ export const COLUMNS = [
   '',
 ] as const
 
-const WIDTHS = [47, 10, 10, 38, 8, 15, 7, 6]
+const WIDTHS = [64, 10, 10, 38, 8, 15, 7, 6]
 /** Words stand at the left of their column, numbers at the right. */
 const IS_WORDS = [true, false, false, true, false, false, false, true]
 

@@ -4,15 +4,14 @@ import type { Case } from '../case'
 import type { BenchMap } from '../maps'
 import { ask, searchesOf } from '../ours'
 import { walkPairs } from '../plain/pairs'
+import { allQueries } from '../questions'
 
 /** The visibility graph's time, against grid decomposition's for an answer of the same cost. */
-export function visibilityCase({ name, grid, queries }: BenchMap): Case {
-  const work = (planner: string) => () => {
-    for (const query of queries) ask(grid, query, planner, { cost: 'cells' })
-    return queries.length
-  }
+export function visibilityCase(map: BenchMap): Case {
+  const work = (planner: string) =>
+    allQueries([map], (grid, query) => ask(grid, query, planner, { cost: 'cells' }))
   return {
-    name: `visibility graph, ${name}`,
+    name: `visibility graph, ${map.name}`,
     against: 'decomposition',
     ours: work('visibility-graph'),
     peer: work('decomposition'),
@@ -26,18 +25,15 @@ const SAMPLES = 10_000
 const WALKED_EVERY = 100
 
 /** A roadmap of many samples, against walking the simplest paths of all its pairs cell by cell. */
-export function roadmapCases({ name, grid, queries }: BenchMap): Case[] {
-  const vertices = sampledCells(grid)
-  const walk = () => walkPairs(grid, vertices, WALKED_EVERY, () => {})
+export function roadmapCases(map: BenchMap): Case[] {
+  const vertices = sampledCells(map.grid)
+  const walk = () => walkPairs(map.grid, vertices, WALKED_EVERY, () => {})
   return searchesOf('probabilistic-roadmap').map((search) => {
     const params = { cost: 'euclidean', search, samples: SAMPLES }
     return {
-      name: `roadmap ${search}, ${name}`,
+      name: `roadmap ${search}, ${map.name}`,
       against: `walking all pairs (those of 1 vertex in ${WALKED_EVERY}, scaled)`,
-      ours: () => {
-        for (const query of queries) ask(grid, query, 'probabilistic-roadmap', params)
-        return queries.length
-      },
+      ours: allQueries([map], (grid, query) => ask(grid, query, 'probabilistic-roadmap', params)),
       peer: walk,
       unit: 'query',
       target: { atLeast: 50 },

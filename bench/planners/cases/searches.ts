@@ -4,7 +4,8 @@ import { ask, searchesOf } from '../ours'
 import { easystar } from '../peers/easystar'
 import { ngraphAStar, ngraphAStarBuilt } from '../peers/ngraph'
 import { pathfindingAStar, pathfindingDijkstra, pathfindingJumpPoint } from '../peers/pathfinding'
-import type { Find, Peer } from '../peers/peer'
+import { onAnyMap, type Peer } from '../peers/peer'
+import { allQueries } from '../questions'
 
 /** Larger maps are too much for graphs of objects and for hashes of cells. */
 const MOST_CELLS = 200 * 200
@@ -18,6 +19,9 @@ export interface SearchTargets {
   readonly 'jump-point'?: number
 }
 
+/** A search, the peer that does the same, and how many times as fast ours must be. */
+type Duel = readonly [search: string, peer: Peer, atLeast?: number | undefined]
+
 /** Grid decomposition by each search, against the peers that do the same: all queries of a map. */
 export function searchCases(map: BenchMap, targets: SearchTargets): Case[] {
   const cells = map.grid.walls.length
@@ -25,35 +29,36 @@ export function searchCases(map: BenchMap, targets: SearchTargets): Case[] {
     ...(cells <= MOST_CELLS_BUILT ? [ngraphAStarBuilt] : []),
     ...(cells <= MOST_CELLS ? [ngraphAStar, easystar] : []),
   ]
-  const duels: readonly (readonly [string, Peer, (number | undefined)?])[] = [
+  return casesOf([map], 'decomposition', [
     ['dijkstra', pathfindingDijkstra, targets.dijkstra],
     ['a-star', pathfindingAStar, targets['a-star']],
-    ...others.map((peer) => ['a-star', peer] as const),
+    ...others.map((peer): Duel => ['a-star', peer]),
     ['jump-point', pathfindingJumpPoint, targets['jump-point']],
-  ]
+  ])
+}
+
+/** The same on maps in turn, so that each query is the first one on its map. */
+export function firstQueryCases(maps: readonly BenchMap[]): Case[] {
+  return casesOf(maps, 'first query on a map, decomposition', [
+    ['dijkstra', pathfindingDijkstra],
+    ['a-star', pathfindingAStar],
+    ['jump-point', pathfindingJumpPoint],
+  ])
+}
+
+function casesOf(maps: readonly BenchMap[], what: string, duels: readonly Duel[]): Case[] {
   const known = searchesOf('decomposition')
   return duels
     .filter(([search]) => known.includes(search))
-    .map(([search, peer, atLeast]) => duel(map, search, peer, atLeast))
-}
-
-function duel(map: BenchMap, search: string, peer: Peer, atLeast: number | undefined): Case {
-  const { grid, queries } = map
-  const params = { cost: 'euclidean', search }
-  let find: Find | undefined
-  return {
-    name: `decomposition ${search}, ${map.name}`,
-    against: peer.name,
-    ours: () => {
-      for (const query of queries) ask(grid, query, 'decomposition', params)
-      return queries.length
-    },
-    peer: () => {
-      find ??= peer.on(grid)
-      for (const { start, goal } of queries) find(start, goal)
-      return queries.length
-    },
-    unit: 'query',
-    target: atLeast === undefined ? null : { atLeast },
-  }
+    .map(([search, peer, atLeast]) => {
+      const params = { cost: 'euclidean', search }
+      return {
+        name: `${what} ${search}, ${maps[0].name}`,
+        against: peer.name,
+        ours: allQueries(maps, (grid, query) => ask(grid, query, 'decomposition', params)),
+        peer: allQueries(maps, onAnyMap(peer)),
+        unit: 'query',
+        target: atLeast === undefined ? null : { atLeast },
+      }
+    })
 }

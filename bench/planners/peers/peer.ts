@@ -1,4 +1,5 @@
 import type { Cell, Grid } from '../../../src/grid/grid'
+import type { Query } from '../maps'
 
 /** The cells of a path from start to goal; empty if none was found. */
 export type Find = (start: Cell, goal: Cell) => readonly Cell[]
@@ -11,4 +12,14 @@ export interface Peer {
    * needs anew, such as a grid that serves one query only, is made in `Find`, and counted.
    */
   readonly on: (grid: Grid) => Find
+}
+
+/** A peer that can be asked about any map. What it keeps of one is made with the first query on it. */
+export function onAnyMap(peer: Peer): (grid: Grid, query: Query) => readonly Cell[] {
+  const finds = new Map<Grid, Find>()
+  return (grid, { start, goal }) => {
+    const find = finds.get(grid) ?? peer.on(grid)
+    finds.set(grid, find)
+    return find(start, goal)
+  }
 }
