@@ -5,7 +5,7 @@ import { roadmapCases, visibilityCase } from './cases/roadmaps'
 import { firstQueryCases, type SearchTargets, searchCases } from './cases/searches'
 import { tapeCases, tapelessCases } from './cases/tapes'
 import { type BenchMap, generatedMap, MAP_KINDS, type MapKind, WIDE_KINDS } from './maps'
-import { allPeers, sturdyPeers } from './peers/all'
+import { allPeers, sturdyPeers, swiftPeers } from './peers/all'
 import type { Peer } from './peers/peer'
 import { turnAbout } from './turned'
 
@@ -35,23 +35,23 @@ export const parts: readonly Part[] = [
 ]
 
 function mapPart(kind: MapKind, size: BenchSize): Part {
+  const { isLarge, queries } = size
   return {
-    ...sized(size),
-    make: () => [generatedMap(kind, size, SEED, size.queries)],
-    cases: ([map]) => casesOn(kind, map, size.isLarge),
+    isLarge,
+    peers: isLarge ? sturdyPeers : allPeers,
+    make: () => [generatedMap(kind, size, SEED, queries)],
+    cases: ([map]) => casesOn(kind, map, isLarge),
   }
 }
 
 function firstQueryPart(kind: MapKind, size: BenchSize): Part {
+  const { isLarge, queries } = size
   return {
-    ...sized(size),
-    make: () => turnAbout(generatedMap(kind, size, SEED, size.queries)),
+    isLarge,
+    peers: isLarge ? swiftPeers : allPeers,
+    make: () => turnAbout(generatedMap(kind, size, SEED, queries)),
     cases: firstQueryCases,
   }
-}
-
-function sized({ isLarge }: BenchSize): Pick<Part, 'isLarge' | 'peers'> {
-  return { isLarge, peers: isLarge ? sturdyPeers : allPeers }
 }
 
 function casesOn(kind: MapKind, map: BenchMap, isLarge: boolean): Case[] {
