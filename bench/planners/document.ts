@@ -52,7 +52,7 @@ const introduction = (machine: string): string => `# How fast
 
 This page is written by \`npm run bench -- --docs\`. The bench runs our planners and those of other
 libraries in turn (A B A B) in one process: ours as the built library, from a plain array of obstacles
-to the checked answer; theirs with what they need anew for each query, such as a copy of a grid that
+to the checked answer; theirs with what they need anew for each query, such as a grid that
 serves one query only, but without what they can keep. Ours keep what they found out about the map before, its legal steps and
 the jumps on it, and each query pays for comparing the maps cell by cell. All answers are compared before anything is timed. Times are medians; the ratio is the median of the ratios of neighbouring
 samples, beside its quartiles.
@@ -60,7 +60,7 @@ samples, beside its quartiles.
 Most lines ask the same few queries on one map again and again. In those that begin with \`first query on a map\`
 nothing that ours keep is of use, because no two queries in a row are on the same map: they are on the map and on the
 map turned by 180 degrees in turn, which has a row of obstacles more at its end, so that open maps differ, too. The peers
-are asked the same in the same order, and keep a grid of either map.
+are asked the same in the same order.
 
 Measured with ${machine}. The ratios say more than the times: they hold on other machines too.
 
