@@ -1,4 +1,5 @@
 import type { Cell } from '../grid/grid'
+import { allLegalSteps } from '../grid/legal-steps'
 import type { Problem } from '../grid/problem'
 import { wordsOf } from '../grid/words'
 import { EVENT } from '../trace/events'
@@ -50,9 +51,10 @@ export const decomposition = offlinePlanner({
   source: 'Report, IV.A; E. W. Dijkstra, "A note on two problems in connexion with graphs", 1959',
 
   plan(problem, { params, tape, progress }) {
-    if (tape) recordGraph(problem, tape)
+    const legal = allLegalSteps(problem.grid, problem.diagonal)
+    if (tape) recordGraph(problem, legal, tape)
     tape?.at(line.start).write(EVENT.phase, -1, 1)
-    const task = { problem, cost: params.cost, tape, lines: line, progress }
+    const task = { problem, legal, cost: params.cost, tape, lines: line, progress }
     const { path, expanded } = SEARCHES[params.search](task)
     if (path.length === 0) {
       tape?.at(line.none)
@@ -66,12 +68,26 @@ export const decomposition = offlinePlanner({
 })
 
 /** The cells of the map become the vertices of a graph, row by row. */
-function recordGraph({ grid: { width, walls } }: Problem, tape: Tape): void {
+function recordGraph(problem: Problem, legal: Uint8Array, tape: Tape): void {
   tape.at(line.graph).write(EVENT.phase, -1, 0)
-  const words = wordsOf(walls)
-  for (let first = 0; first < walls.length; first += width) {
-    tape.write(EVENT.row, first, width - countObstacles(walls, words, first, first + width))
+  const { width } = problem.grid
+  const free = freeInRows(problem, legal)
+  for (let y = 0; y < free.length; y++) tape.write(EVENT.row, y * width, free[y])
+}
+
+/** What was counted last, on the map that has these legal steps. */
+let counted: { legal: Uint8Array; free: Int32Array } | null = null
+
+/** How many cells of each row are free. */
+function freeInRows({ grid: { width, height, walls } }: Problem, legal: Uint8Array): Int32Array {
+  if (counted?.legal !== legal) {
+    const words = wordsOf(walls)
+    const free = new Int32Array(height).map((_, y) => {
+      return width - countObstacles(walls, words, y * width, (y + 1) * width)
+    })
+    counted = { legal, free }
   }
+  return counted.free
 }
 
 /** Obstacles from one cell up to another. @param words of `walls`, as far as there are any */

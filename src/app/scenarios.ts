@@ -107,7 +107,7 @@ export const scenarios: readonly Scenario[] = [
     id: 'banner-a-star',
     title: 'The same letters, A*',
     figure: '',
-    see: 'A* also counts what is left to the goal at least, and closes 92 cells where Dijkstra closes 625 for the same cost: choose another Search and see.',
+    see: 'A* also counts what is left to the goal at least, and closes 126 cells where Dijkstra closes 625 for the same cost: choose another Search and see.',
     problem: problemFromText(maps.banner),
     planner: 'decomposition',
     params: { search: 'a-star' },

@@ -1,5 +1,4 @@
 import { stepOffsets } from '../../grid/directions'
-import { allLegalSteps } from '../../grid/legal-steps'
 import type { Directions } from '../../grid/steps'
 import { DIAGONAL_WEIGHT, weightsTo } from '../costs'
 import { CLOSED, DIRECTION, memoryFor, OPEN, openCells } from './memory'
@@ -8,18 +7,20 @@ import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
 import { NO_DIRECTION, successorsUnder } from './successors'
 import { wayBack } from './way-back'
 
+const STRAIGHT: Directions = 0b01010101
+
 /**
  * A* with the weight of the simplest path to the goal as its estimate. No path weighs less, so the
  * way to a cell that is closed is final. (P. E. Hart, N. J. Nilsson and B. Raphael, "A formal basis
  * for the heuristic determination of minimum cost paths", 1968.)
  *
  * A step straight for the goal makes the way longer by what it takes from the estimate, so its cell
- * comes next of all: over open ground the search runs to the goal.
+ * comes next of all: over open ground the search runs to the goal. Diagonal steps are opened last, for
+ * to come first: after a straight one a way may not turn diagonal again unless around an obstacle.
  */
-export function aStar({ problem, cost, tape, lines, progress }: SearchTask): Found {
+export function aStar({ problem, legal, cost, tape, lines, progress }: SearchTask): Found {
   const { grid, start, goal, diagonal } = problem
   const cells = grid.walls.length
-  const legal = allLegalSteps(grid, diagonal)
   const successors = successorsUnder(diagonal)
   const offsets = stepOffsets(grid.width)
   const diagonalWeight = DIAGONAL_WEIGHT[cost]
@@ -47,7 +48,7 @@ export function aStar({ problem, cost, tape, lines, progress }: SearchTask): Fou
     let opened: Directions = 0
     let steps = successors[((state & DIRECTION) << 8) | legal[cell]]
     while (steps !== 0) {
-      const direction = 31 - Math.clz32(steps)
+      const direction = 31 - Math.clz32(steps & STRAIGHT || steps)
       steps ^= 1 << direction
       const neighbour = cell + offsets[direction]
       const known = states[neighbour]

@@ -1,5 +1,4 @@
 import { stepOffsets } from '../../grid/directions'
-import { allLegalSteps } from '../../grid/legal-steps'
 import type { Directions } from '../../grid/steps'
 import { DIAGONAL_WEIGHT } from '../costs'
 import { CLOSED, DIRECTION, memoryFor, OPEN } from './memory'
@@ -20,10 +19,9 @@ const UNIT = 1 << 29
  * less than that, so the cells of one bucket cannot improve each other, any order among them is
  * right, and three buckets in turn hold all that wait. (R. B. Dial, 1969.)
  */
-export function dijkstra({ problem, cost, tape, lines, progress }: SearchTask): Found {
+export function dijkstra({ problem, legal, cost, tape, lines, progress }: SearchTask): Found {
   const { grid, start, goal, diagonal } = problem
   const cells = grid.walls.length
-  const legal = allLegalSteps(grid, diagonal)
   const successors = successorsUnder(diagonal)
   const offsets = stepOffsets(grid.width)
   const diagonalWeight = (DIAGONAL_WEIGHT[cost] * UNIT) | 0

@@ -1,5 +1,4 @@
 import type { Direction } from '../../grid/directions'
-import { allLegalSteps } from '../../grid/legal-steps'
 import { DIAGONAL_WEIGHT, weightsTo } from '../costs'
 import { GoalInSight } from './jump-points/goal-in-sight'
 import { jumpGraphOf } from './jump-points/graph'
@@ -13,10 +12,16 @@ import { NO_DIRECTION } from './successors'
  * Jump point search: A* that opens only cells where a shortest path has a choice, and jumps over all
  * others. (D. Harabor and A. Grastien, "Online graph pruning for pathfinding on grid maps", 2011.)
  */
-export function jumpPointSearch({ problem, cost, tape, lines, progress }: SearchTask): Found {
-  const { grid, start, goal, diagonal } = problem
+export function jumpPointSearch({
+  problem,
+  legal,
+  cost,
+  tape,
+  lines,
+  progress,
+}: SearchTask): Found {
+  const { grid, start, goal } = problem
   const cells = grid.walls.length
-  const legal = allLegalSteps(grid, diagonal)
   const estimate = weightsTo(goal, cost, grid.width)
   const graph = jumpGraphOf(legal, problem, DIAGONAL_WEIGHT[cost])
   const { vertices, edges } = graph

@@ -7,6 +7,8 @@ export type CellSearch = (task: SearchTask) => Found
 
 export interface SearchTask {
   readonly problem: Problem
+  /** The legal steps from every cell of its map. */
+  readonly legal: Uint8Array
   readonly cost: Cost
   readonly tape: Tape | undefined
   /** Lines of the pseudocode: the start is opened, a cell is closed, a jump point is opened. */
