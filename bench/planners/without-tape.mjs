@@ -2,7 +2,7 @@
 // given.
 
 /** The tape among what a search over cells is given, up to the beginning of its body. */
-const TAPE_GIVEN = /\btape, ([^{}]*\}: SearchTask[^{}]*\{)/g
+const TAPE_GIVEN = /\btape,(\s[^{}]*\}: SearchTask[^{}]*\{)/g
 const TASK_GIVEN = /: SearchTask[,)][^;{}=]*\{/
 const TAPE_NAMED = /\btape\b/
 
