@@ -16,11 +16,14 @@ async function built(name: string, plugins: ReturnType<typeof withoutTape>[]): P
   return output[0].code
 }
 
-test.each(['dijkstra.ts', 'a-star.ts', 'jump-point.ts'])('nothing of the tape is left in %s', async (name) => {
-  expect(await built(name, [])).toMatch(/tape/)
-  const code = await built(name, [withoutTape()])
-  expect(code).not.toMatch(/tape|\.write\(/)
-})
+test.each(['dijkstra.ts', 'a-star.ts', 'jump-point.ts'])(
+  'nothing of the tape is left in %s',
+  async (name) => {
+    expect(await built(name, [])).toMatch(/tape/)
+    const code = await built(name, [withoutTape()])
+    expect(code).not.toMatch(/tape|\.write\(/)
+  },
+)
 
 test('what gives no tape to a search stays as it is', () => {
   const source = 'export const aStar = (task: SearchTask): Found => search(task, false)'
