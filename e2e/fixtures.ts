@@ -36,6 +36,8 @@ export const test = base.extend<Fixtures>({
   page: async ({ page, baseURL }, use) => {
     const faults = watch(page, String(baseURL))
     await page.goto('')
+    // Nobody does anything before there is a solved map to be seen.
+    await expect(page.locator('#map')).toHaveAttribute('data-status', 'reached')
     await use(page)
     expect(faults, 'messages, errors and requests that should not be').toEqual([])
   },
