@@ -1,5 +1,5 @@
 import { type Direction, DX, DY, directionOf } from './directions'
-import type { Cell, Point } from './grid'
+import { type Cell, type Point, rowOf } from './grid'
 
 /**
  * The simplest path (the report's "dummy path") goes diagonally while both axes differ and then
@@ -20,6 +20,12 @@ export function euclideanDistance(a: Point, b: Point): number {
 }
 
 const MORE_THAN_ANY_SQUARE = 2 ** 24
+
+/** The same between cells, for inner loops. @param share 1 / width of the map */
+export function cellDistance(a: Cell, b: Cell, width: number, share: number): number {
+  const rows = rowOf(b, share) - rowOf(a, share)
+  return Math.max(Math.abs(rows), Math.abs(b - a - rows * width))
+}
 
 /**
  * One number that orders places by how far they are from `to`: by distance, ties by Euclidean

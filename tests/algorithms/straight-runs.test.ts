@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest'
-import { runAlong, straightRuns } from '../../src/algorithms/grid-search/jump-points/straight-runs'
+import { runFrom, straightRuns } from '../../src/algorithms/grid-search/jump-points/straight-runs'
 import { successorsUnder } from '../../src/algorithms/grid-search/successors'
-import { DX, DY, stepOffsets } from '../../src/grid/directions'
+import { stepOffsets } from '../../src/grid/directions'
 import type { Grid } from '../../src/grid/grid'
 import { allLegalSteps } from '../../src/grid/legal-steps'
 import { randomNumbers } from '../../src/grid/random'
@@ -37,11 +37,8 @@ describe.each(DIAGONAL_RULES)('straight runs under %s', (rule) => {
             at += offsets[d]
             ways = successorsUnder(rule)[(d << 8) | legal[at]]
           }
-          const { marks, wordsEach, first } = runs[d]
           const [x, y] = [cell % width, Math.floor(cell / width)]
-          const line = (DX[d] === 0 ? x : y) * wordsEach
-          const place = first + x * DX[d] + y * DY[d]
-          const run = runAlong(marks, line, place + 1)
+          const run = runFrom(runs[d], x, y, d)
           if (run !== (ways === 0 ? -steps : steps)) wrong.push(`seed ${seed}: ${x}, ${y}, ${d}`)
           compared++
         }

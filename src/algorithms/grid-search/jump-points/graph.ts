@@ -1,6 +1,7 @@
 import type { Direction } from '../../../grid/directions'
-import { type Cell, rowOf } from '../../../grid/grid'
+import type { Cell } from '../../../grid/grid'
 import type { Problem } from '../../../grid/problem'
+import { cellDistance } from '../../../grid/simplest-path'
 import type { Directions } from '../../../grid/steps'
 import { successorsUnder } from '../successors'
 import { Edges } from './edges'
@@ -157,8 +158,7 @@ export class JumpGraph {
 
   /** `view` is how far a jump looked from a cell on the way that began elsewhere. */
   #widenView(begin: Cell, cell: Cell, view: number): void {
-    const rows = rowOf(cell, this.#share) - rowOf(begin, this.#share)
-    const columns = cell - begin - rows * this.#width
-    this.farView = Math.max(this.farView, Math.abs(rows) + view, Math.abs(columns) + view)
+    const distance = cellDistance(begin, cell, this.#width, this.#share)
+    this.farView = Math.max(this.farView, distance + view)
   }
 }

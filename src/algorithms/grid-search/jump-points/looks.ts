@@ -1,6 +1,7 @@
 import { type Direction, DX, DY, stepOffsets } from '../../../grid/directions'
 import { type Cell, rowOf } from '../../../grid/grid'
 import type { Problem } from '../../../grid/problem'
+import { cellDistance } from '../../../grid/simplest-path'
 import { successorsUnder } from '../successors'
 import type { GoalInSight } from './goal-in-sight'
 import { Rounds } from './rounds'
@@ -50,7 +51,7 @@ export class Looks {
       const inSight = goal === null ? 0 : goal.on(cell, d, steps)
       if (inSight > 0) steps = inSight
       cell += steps * this.#offsets[d]
-      this.#see(from, cell)
+      this.view = Math.max(this.view, cellDistance(from, cell, this.#width, this.#share))
       if (!this.#found && inSight === 0) return -1
       this.weight += d & 1 ? steps * this.#diagonalWeight : steps
       this.arrival = d
@@ -59,12 +60,6 @@ export class Looks {
       d = 31 - Math.clz32(ways)
     } while (!this.#rounds.isBack(cell, d))
     return -1
-  }
-
-  #see(from: Cell, cell: Cell): void {
-    const rows = rowOf(cell, this.#share) - rowOf(from, this.#share)
-    const columns = cell - from - rows * this.#width
-    this.view = Math.max(this.view, Math.abs(rows), Math.abs(columns))
   }
 
   /** Steps to a cell with another way than onward, or to the last one. Few: to count them is quick. */
