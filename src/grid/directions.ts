@@ -8,7 +8,6 @@ export type Direction = number
 
 export const DX = Int8Array.of(0, 1, 1, 1, 0, -1, -1, -1)
 export const DY = Int8Array.of(-1, -1, 0, 1, 1, 1, 0, -1)
-export const DIRECTION_NAMES = ['N', 'NE', 'E', 'SE', 'S', 'SW', 'W', 'NW'] as const
 
 export const isDiagonal = (direction: Direction): boolean => (direction & 1) === 1
 export const opposite = (direction: Direction): Direction => direction ^ 4
