@@ -1,7 +1,8 @@
 import { readFileSync } from 'node:fs'
 import { basename } from 'node:path'
 import { InputError } from '../../src/grid/errors'
-import { readMovingAiMap, readScenarios, type Scenario } from '../../src/grid/formats/movingai'
+import { readMovingAiMap } from '../../src/grid/formats/movingai'
+import { readScenarios, type Scenario } from '../../src/grid/formats/movingai-scenarios'
 import type { BenchMap } from './maps'
 import { ask, searchesOf } from './ours'
 

@@ -1,6 +1,6 @@
 import { InputError } from '../errors'
-import { describe, excerpt } from '../excerpt'
-import type { Grid, Point } from '../grid'
+import { excerpt } from '../excerpt'
+import type { Grid } from '../grid'
 import { checkSize } from '../problem'
 import { gridToRows } from '../text-map'
 
@@ -22,7 +22,7 @@ const PASSABLE: ReadonlySet<number> = new Set(Array.from('.GS', (sign) => sign.c
  * @throws InputError that names the line of the header or the row of the map that is wrong.
  */
 export function readMovingAiMap(text: string): Grid {
-  // Four lines of header and the rest in one piece, so that no file makes more lines than its height.
+  // Only the header is split into lines: a file may have many more lines than a map has rows.
   const header = /^(.*)\r?\n(.*)\r?\n(.*)\r?\n(.*)(?:\r?\n|$)/.exec(text)
   if (!header) {
     throw new InputError(
@@ -80,62 +80,4 @@ function readRows(text: string, from: number, width: number, height: number): Gr
 function endOfLine(text: string, from: number): number {
   const end = text.indexOf('\n', from)
   return end < 0 ? text.length : end
-}
-
-/** One line of a MovingAI scenario file: a problem on a map, and how long its shortest path is. */
-export interface Scenario {
-  readonly bucket: number
-  /** The map's file, as the scenario names it, and its size in cells. */
-  readonly map: string
-  readonly width: number
-  readonly height: number
-  readonly start: Point
-  readonly goal: Point
-  /** Length of a shortest path in cell sides, as many digits as the file prints. */
-  readonly length: number
-}
-
-const NUMBERS = ['bucket', 'width', 'height', 'start x', 'start y', 'goal x', 'goal y'] as const
-
-/**
- * The scenarios in a MovingAI `.scen` file. Steps past a corner are not allowed in them: the
- * diagonal rule is `only-when-no-obstacles`.
- * @throws InputError that names the line.
- */
-export function readScenarios(text: string): Scenario[] {
-  const lines = text.split(/\r?\n/)
-  if (!/^version +1(\.0+)?\s*$/.test(lines[0])) {
-    throw new InputError(`Line 1 must be "version 1", but is ${excerpt(lines[0])}.`)
-  }
-  return lines.flatMap((line, i) => (i === 0 || line.trim() === '' ? [] : [readLine(line, i + 1)]))
-}
-
-function readLine(line: string, number: number): Scenario {
-  const fail = (what: string) => new InputError(`Line ${number} of the scenarios: ${what}.`)
-  // The fields stand between tabs, in some files between blanks.
-  const fields = line.trim().split(line.includes('\t') ? '\t' : / +/)
-  if (fields.length !== 9) throw fail(`expected 9 fields, but there are ${fields.length}`)
-  const [bucket, map, ...others] = fields
-  const [width, height, startX, startY, goalX, goalY] = others
-  const values = [bucket, width, height, startX, startY, goalX, goalY].map((field, i) => {
-    if (/^\d{1,9}$/.test(field)) return Number(field)
-    throw fail(`the ${NUMBERS[i]} must be a whole number, but is ${describe(field)}`)
-  })
-  const length = fields[8]
-  if (!/^\d+(\.\d+)?$/.test(length)) {
-    throw fail(`the optimal length must be a number, but is ${describe(length)}`)
-  }
-  const place = (name: string, x: number, y: number): Point => {
-    if (x < values[1] && y < values[2]) return { x, y }
-    throw fail(`the ${name} (${x}, ${y}) is not on the ${values[1]} × ${values[2]} map`)
-  }
-  return {
-    bucket: values[0],
-    map,
-    width: values[1],
-    height: values[2],
-    start: place('start', values[3], values[4]),
-    goal: place('goal', values[5], values[6]),
-    length: Number(length),
-  }
 }
