@@ -3,8 +3,8 @@ import { planners } from '../algorithms/planners'
 import { InputError } from '../grid/errors'
 import { describe } from '../grid/excerpt'
 import { parseJson } from '../grid/formats/json'
-import { gridFromRows } from '../grid/formats/project-file'
 import { generators } from '../grid/generators'
+import { gridFromRows } from '../grid/text-map'
 import {
   countWork,
   type ExperimentSettings,

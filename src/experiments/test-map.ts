@@ -1,10 +1,10 @@
-import { gridFromRows } from '../grid/formats/project-file'
 import { generators } from '../grid/generators'
 import { type Cell, type Grid, pointOf } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import { randomInteger, randomNumbers } from '../grid/random'
 import { distance } from '../grid/simplest-path'
 import type { DiagonalRule } from '../grid/steps'
+import { gridFromRows } from '../grid/text-map'
 import { type ExperimentSettings, MAX_SEED, type MapKind, mapKinds } from './settings'
 
 /** A map of an experiment, with start and goal: what all planners are run on. */

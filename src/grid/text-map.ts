@@ -1,5 +1,5 @@
 import { InputError } from './errors'
-import { excerpt } from './excerpt'
+import { describe, excerpt } from './excerpt'
 import type { Cell, Grid } from './grid'
 import { checkSize, type Problem } from './problem'
 import type { DiagonalRule } from './steps'
@@ -61,6 +61,36 @@ function rowsOf(signs: Uint8Array, { width, height }: Grid): string[] {
 /** The rows of a map, `#` obstacle and `.` free. */
 export function gridToRows(grid: Grid): string[] {
   return rowsOf(signs(grid), grid)
+}
+
+/**
+ * A map from its rows, `#` obstacle and `.` free.
+ * @throws InputError that names the row or the cell that is wrong.
+ */
+export function gridFromRows(rows: readonly unknown[]): Grid {
+  const width = rows.length === 0 ? 0 : rowText(rows, 0).length
+  checkSize(width, rows.length)
+  const walls = new Uint8Array(width * rows.length)
+  for (let y = 0; y < rows.length; y++) {
+    const row = rowText(rows, y)
+    if (row.length !== width) {
+      throw new InputError(`Row ${y + 1} has ${row.length} cells, but row 1 has ${width}.`)
+    }
+    for (let x = 0; x < width; x++) {
+      if (row[x] === '#') walls[y * width + x] = 1
+      else if (row[x] !== '.') {
+        const sign = excerpt(row.slice(x), 1)
+        throw new InputError(`${sign} at (${x}, ${y}) is no cell: use "#" obstacle, "." free.`)
+      }
+    }
+  }
+  return { width, height: rows.length, walls }
+}
+
+function rowText(rows: readonly unknown[], y: number): string {
+  const row = rows[y]
+  if (typeof row === 'string') return row
+  throw new InputError(`Row ${y + 1} must be a text of "#" and ".", but is ${describe(row)}.`)
 }
 
 /** The text map of a problem: what `problemFromText` reads. A start on the goal shows as `G`. */
