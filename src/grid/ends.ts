@@ -8,14 +8,19 @@ import type { Cell, Grid } from './grid'
  */
 export function defaultEnds(grid: Grid): { start: Cell; goal: Cell } {
   const middle = Math.floor((grid.height - 1) / 2)
-  const start = nearestFreeCell(grid, 0, middle, -1)
+  const start = nearestFreeCell(grid, 0, middle)
   if (start < 0) throw new InputError('The map has no free cell.')
   const goal = nearestFreeCell(grid, grid.width - 1, middle, start)
   return { start, goal: goal < 0 ? start : goal }
 }
 
 /** The free cell other than `except` with the least Euclidean distance to (x, y); -1 if none. */
-function nearestFreeCell({ width, walls }: Grid, x: number, y: number, except: Cell): Cell {
+export function nearestFreeCell(
+  { width, walls }: Grid,
+  x: number,
+  y: number,
+  except: Cell = -1,
+): Cell {
   let nearest = -1
   let least = Number.POSITIVE_INFINITY
   for (let cell = 0; cell < walls.length; cell++) {

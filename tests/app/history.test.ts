@@ -1,7 +1,8 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { emptyHistory, redo, remember, undo } from '../../src/app/history'
-import { emptyProblem, type Setup, withGrid, withParam } from '../../src/app/setup'
+import { emptyProblem } from '../../src/app/new-problem'
+import { type Setup, withGrid, withParam } from '../../src/app/setup'
 import { setupToText } from '../../src/app/storage'
 import { withCells } from '../../src/grid/grid'
 

@@ -1,5 +1,5 @@
 import { byId } from '../element'
-import { emptyProblem, resizedProblem } from '../setup'
+import { emptyProblem, resizedProblem } from '../new-problem'
 import type { State } from '../state'
 import type { Store } from '../store'
 import { attempt, changeMap } from '../transitions'
