@@ -1,4 +1,4 @@
-/** The beginning of a text in quotes for a message; what cannot be printed is shown as "·". */
+/** The first `length` characters of a text, in quotes for a message; what cannot be printed is "·". */
 export function excerpt(text: string, length = 30): string {
   const signs = Array.from(text.slice(0, 2 * length + 2))
   const shown = signs

@@ -5,7 +5,8 @@ import { LEGAL_STEPS } from './steps'
 
 /**
  * The direction of a step that adds `step` to the index of a cell in column `x`; -1 if it is none.
- * Who follows a path counts the columns on: a division for each cell takes longer than all else.
+ * The column is given, because callers know it from the step before: dividing the index by the width
+ * for each cell of a path would take longer than all the rest.
  */
 function directionFrom(x: number, step: number, width: number): Direction {
   const column = x + step

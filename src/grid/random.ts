@@ -1,5 +1,5 @@
 /**
- * Seeded random numbers from 0 up to 1, the same on every machine (splitmix32, after Steele, Lea
+ * Seeded random numbers from 0 up to 1, without it, the same on every machine (splitmix32, after Steele, Lea
  * and Flood, "Fast splittable pseudorandom number generators", 2014).
  */
 export function randomNumbers(seed: number): () => number {

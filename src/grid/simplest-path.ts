@@ -3,8 +3,8 @@ import { type Cell, type Point, rowOf } from './grid'
 
 /**
  * The simplest path (the report's "dummy path") goes diagonally while both axes differ and then
- * straight, whatever is in the way. So its next step depends only on where it is and where it goes:
- * whoever follows it asks for one step at a time.
+ * straight, whatever is in the way. Its next step depends only on where it is and where it goes, so
+ * that it can be followed by asking for one step at a time.
  */
 export function simplestStep(from: Point, to: Point): Direction {
   return directionOf(to.x - from.x, to.y - from.y)
@@ -15,17 +15,21 @@ export function distance(a: Point, b: Point): number {
   return Math.max(Math.abs(a.x - b.x), Math.abs(a.y - b.y))
 }
 
-export function euclideanDistance(a: Point, b: Point): number {
-  return Math.hypot(a.x - b.x, a.y - b.y)
-}
-
-const MORE_THAN_ANY_SQUARE = 2 ** 24
-
-/** The same between cells, for inner loops. @param share 1 / width of the map */
+/**
+ * `distance` between cells, for inner loops.
+ * @param share 1 / width of the map
+ */
 export function cellDistance(a: Cell, b: Cell, width: number, share: number): number {
   const rows = rowOf(b, share) - rowOf(a, share)
   return Math.max(Math.abs(rows), Math.abs(b - a - rows * width))
 }
+
+export function euclideanDistance(a: Point, b: Point): number {
+  return Math.hypot(a.x - b.x, a.y - b.y)
+}
+
+/** The square of a Euclidean distance on a map is less: 2 · 2047² < 2²⁴. */
+const MORE_THAN_ANY_SQUARE = 2 ** 24
 
 /**
  * One number that orders places by how far they are from `to`: by distance, ties by Euclidean

@@ -107,7 +107,7 @@ function buildRoom(size: Size, walls: Uint8Array, block: Block, random: () => nu
   return added
 }
 
-/** A whole number between two others, but not an end where there is one that is not. */
+/** A whole number between two others; neither of the two, if any number lies between them. */
 function inside(from: number, to: number, random: () => number): number {
   return to - from < 2 ? from : from + 1 + randomInteger(random, to - from - 1)
 }

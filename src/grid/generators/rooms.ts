@@ -26,7 +26,7 @@ export const rooms = generator({
   },
 })
 
-/** Along x is axis 0, along y axis 1, so that one text serves walls of both kinds. */
+/** Axis 0 goes along x, axis 1 along y, so that the same code builds walls of both kinds. */
 type Axis = 0 | 1
 type Pair = readonly [number, number]
 
@@ -43,7 +43,7 @@ interface Room {
   readonly size: Pair
 }
 
-/** Recursive division, with a list of the rooms still to be looked at instead of a recursion. */
+/** Recursive division, written as a loop over the rooms that are still to be divided. */
 function divideAll(map: Plan, smallest: number, random: () => number): void {
   const rooms: Room[] = [{ corner: [0, 0], size: map.size }]
   for (let room = rooms.pop(); room; room = rooms.pop()) {
