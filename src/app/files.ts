@@ -1,4 +1,4 @@
-import { InputError } from '../grid/errors'
+import { InputError, messageOf } from '../grid/errors'
 import { onFileDropped } from './drop-zone'
 import { byId } from './element'
 import type { State } from './state'
@@ -26,8 +26,9 @@ async function openFile(store: Store<State>, file: File): Promise<void> {
       return tell(changed, 'note', [opened, ...notes].join(' '))
     })
   } catch (error) {
-    const why = error instanceof Error ? error.message : String(error)
-    store.update((state) => tell(state, 'error', `${file.name} was not opened. ${why}`))
+    store.update((state) =>
+      tell(state, 'error', `${file.name} was not opened. ${messageOf(error)}`),
+    )
   }
 }
 

@@ -1,3 +1,4 @@
+import { messageOf } from '../grid/errors'
 import { setupInLink } from './link'
 import type { Setup } from './setup'
 import type { State } from './state'
@@ -13,8 +14,7 @@ export function openLink(state: State, hash: string): State {
     const opened = changeMap(state, { ...setup, params }, 'The map of the link is open.')
     return tell(opened, 'note', 'This is the map of a link. Undo brings back what was here before.')
   } catch (error) {
-    const why = error instanceof Error ? error.message : String(error)
-    return tell(state, 'error', `The link was not opened. ${why}`)
+    return tell(state, 'error', `The link was not opened. ${messageOf(error)}`)
   }
 }
 

@@ -1,4 +1,5 @@
 import { plan } from '../algorithms/plan'
+import { messageOf } from '../grid/errors'
 import { foldWhole } from '../trace/checkpoints'
 import { type Frame, packed } from '../trace/frame'
 import { Tape } from '../trace/tape'
@@ -11,8 +12,7 @@ self.onmessage = ({ data }: MessageEvent<WorkerQuestion>) => {
   try {
     answer(data)
   } catch (error) {
-    const message = error instanceof Error ? error.message : String(error)
-    send({ kind: 'refused', id: data.id, message })
+    send({ kind: 'refused', id: data.id, message: messageOf(error) })
   }
 }
 

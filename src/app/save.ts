@@ -1,3 +1,4 @@
+import { messageOf } from '../grid/errors'
 import type { Grid } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import type { Scene } from '../render/scene'
@@ -58,8 +59,7 @@ export function savers(store: Store<State>, sceneNow: () => Scene) {
         store.update((state) => say(state, `Saved as ${names}.`))
       },
       (error: unknown) => {
-        const why = error instanceof Error ? error.message : String(error)
-        store.update((state) => tell(state, 'error', `Nothing was saved. ${why}`))
+        store.update((state) => tell(state, 'error', `Nothing was saved. ${messageOf(error)}`))
       },
     )
   }

@@ -1,3 +1,4 @@
+import { messageOf } from '../grid/errors'
 import { type Cell, emptyGrid } from '../grid/grid'
 import { fitView, keepOnScreen, type Rect, type ScreenSize, type View } from '../render/view'
 import { cursorOn, endWelcome } from './arrival'
@@ -60,7 +61,7 @@ export function attempt(state: State, transition: (state: State) => State): Stat
   try {
     return transition(state)
   } catch (error) {
-    return tell(state, 'error', error instanceof Error ? error.message : String(error))
+    return tell(state, 'error', messageOf(error))
   }
 }
 

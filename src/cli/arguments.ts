@@ -1,5 +1,5 @@
 import { type ParseArgsConfig, parseArgs } from 'node:util'
-import { InputError } from '../grid/errors'
+import { InputError, messageOf } from '../grid/errors'
 
 /**
  * The options, and what stands between them, on a command line; `--help` is one everywhere.
@@ -17,7 +17,7 @@ export function parseArguments<const Options extends NonNullable<ParseArgsConfig
       options: { ...options, help: { type: 'boolean', short: 'h' } },
     })
   } catch (error) {
-    const message = error instanceof Error ? error.message : String(error)
+    const message = messageOf(error)
     throw new InputError(`${message}\n\n${usage}`)
   }
 }

@@ -4,6 +4,7 @@ import { rowToLine } from '../experiments/results-json'
 import { runMap } from '../experiments/run-map'
 import type { ExperimentSettings } from '../experiments/settings'
 import type { MapRange } from '../experiments/shards'
+import { messageOf } from '../grid/errors'
 
 interface Answer {
   readonly map: number
@@ -81,6 +82,6 @@ function answer(settings: ExperimentSettings, map: number): Answer {
     const rows = runMap(settings, map, () => performance.now())
     return { map, lines: rows.map((row) => `${rowToLine(row)}\n`).join('') }
   } catch (error) {
-    return { map, error: error instanceof Error ? error.message : String(error) }
+    return { map, error: messageOf(error) }
   }
 }

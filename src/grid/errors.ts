@@ -2,3 +2,7 @@
 export class InputError extends Error {
   override readonly name = 'InputError'
 }
+
+/** The message of whatever was thrown. */
+export const messageOf = (error: unknown): string =>
+  error instanceof Error ? error.message : String(error)

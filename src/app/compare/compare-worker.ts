@@ -1,5 +1,6 @@
 import { planners } from '../../algorithms/planners'
 import { optimumOf } from '../../experiments/run-map'
+import { messageOf } from '../../grid/errors'
 import { comparedPlan, runPlanner } from './compared'
 import { MOST_MS, medianTime } from './median-time'
 import type { CompareAnswer, CompareQuestion } from './protocol'
@@ -12,8 +13,7 @@ let latest = 0
 self.onmessage = ({ data }: MessageEvent<CompareQuestion>) => {
   latest = data.id
   answer(data).catch((error: unknown) => {
-    const message = error instanceof Error ? error.message : String(error)
-    send({ kind: 'failed', id: data.id, message })
+    send({ kind: 'failed', id: data.id, message: messageOf(error) })
   })
 }
 

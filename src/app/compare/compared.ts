@@ -3,6 +3,7 @@ import { plan } from '../../algorithms/plan'
 import type { AnyPlanner } from '../../algorithms/planner'
 import { bug2Bound } from '../../experiments/bounds'
 import { boundOf, type Optimum, ratioToOptimum } from '../../experiments/run-map'
+import { messageOf } from '../../grid/errors'
 import type { Status } from '../../trace/events'
 import type { Setup } from '../setup'
 
@@ -56,8 +57,7 @@ export function comparedPlan(
   try {
     return reportOf(subject, planner, optimum)
   } catch (error) {
-    const reason = error instanceof Error ? error.message : String(error)
-    return { ...NOTHING, plannerId: planner.id, reason }
+    return { ...NOTHING, plannerId: planner.id, reason: messageOf(error) }
   }
 }
 

@@ -2,7 +2,7 @@ import { openResults } from '../../experiments/open-results'
 import { RESULTS_FORMAT } from '../../experiments/results'
 import type { GivenMap } from '../../experiments/settings'
 import { readSettings } from '../../experiments/settings-check'
-import { InputError } from '../../grid/errors'
+import { InputError, messageOf } from '../../grid/errors'
 import { openMap } from '../../grid/formats/open-map'
 import { gridToRows } from '../../grid/text-map'
 import { onFileDropped } from '../drop-zone'
@@ -55,8 +55,7 @@ async function textOf(file: File): Promise<string> {
 }
 
 function refuse(store: Store<PageState>, file: File, error: unknown): void {
-  const why = error instanceof Error ? error.message : String(error)
-  store.update((state) => tell(state, 'error', `${file.name} was not opened. ${why}`))
+  store.update((state) => tell(state, 'error', `${file.name} was not opened. ${messageOf(error)}`))
 }
 
 /** Binds the two file inputs, and dropping a file of settings or results anywhere. */

@@ -1,6 +1,7 @@
 import type { Mark } from '../../charts/chart'
 import { resultsToCsv } from '../../experiments/results-csv'
 import { resultsToJson } from '../../experiments/results-json'
+import { messageOf } from '../../grid/errors'
 import { download } from '../download'
 import { byId, setText } from '../element'
 import { numberInWords } from '../numbers'
@@ -65,8 +66,9 @@ function lazyCharts(store: Store<PageState>, opened: (shown: Shown, mark: Mark) 
       panel = { shown, charts }
       charts.show(isDark, store.state.hidden)
     } catch (error) {
-      const why = error instanceof Error ? error.message : String(error)
-      store.update((state) => tell(state, 'error', `The charts could not be drawn. ${why}`))
+      store.update((state) =>
+        tell(state, 'error', `The charts could not be drawn. ${messageOf(error)}`),
+      )
     }
   }
   return ({ shown, hidden }: PageState, isDark: boolean) => {
@@ -86,8 +88,9 @@ function bindDownloads(store: Store<PageState>): void {
       try {
         download(textOf(shown.results), type, `path-planner-results.${ending}`)
       } catch (error) {
-        const why = error instanceof Error ? error.message : String(error)
-        store.update((state) => tell(state, 'error', `The rows could not be saved. ${why}`))
+        store.update((state) =>
+          tell(state, 'error', `The rows could not be saved. ${messageOf(error)}`),
+        )
       }
     })
   }

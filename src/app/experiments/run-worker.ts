@@ -1,6 +1,7 @@
 import type { Row } from '../../experiments/row'
 import { runMap } from '../../experiments/run-map'
 import type { ExperimentSettings } from '../../experiments/settings'
+import { messageOf } from '../../grid/errors'
 import type { Order, Report } from './protocol'
 
 const clock = () => performance.now()
@@ -20,8 +21,7 @@ self.onmessage = ({ data }: MessageEvent<Order>) => {
     try {
       rows.push(runMap(settings, map, clock))
     } catch (error) {
-      const why = error instanceof Error ? error.message : String(error)
-      return send({ kind: 'failed', message: `Map ${map}: ${why}` })
+      return send({ kind: 'failed', message: `Map ${map}: ${messageOf(error)}` })
     }
   }
   send({ kind: 'done', range, rows, milliseconds: clock() - began })
