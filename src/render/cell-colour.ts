@@ -1,4 +1,12 @@
-import { FELT_BIT, KNOWN, KNOWN_BITS, KNOWN_SHIFT, SEARCH, SEARCH_BITS } from '../trace/frame'
+import {
+  CELL_STATES,
+  type CellState,
+  isFeltIn,
+  KNOWN,
+  knownIn,
+  SEARCH,
+  searchIn,
+} from '../trace/cell-state'
 import { pixelOf, rgbOf } from './colour'
 import type { Sight } from './scene'
 import type { Theme } from './theme'
@@ -29,45 +37,39 @@ function cellPalette(theme: Theme): CellPalette {
   }
 }
 
-const STATES = 64
-
 /**
  * All that the colour of a cell without heat depends on, as one number: a map has millions of cells
  * to look up.
  * @param wall 1 for an obstacle
- * @param cell its byte in a frame
  */
-export const stateOf = (wall: number, cell: number): number => wall | (cell << 1)
+export const stateOf = (wall: number, cell: CellState): number => wall | (cell << 1)
 
 /** By `stateOf`: the pixel of each state that a cell without heat can be in. */
 export function cellColours(theme: Theme, sight: Sight): Uint32Array {
   const palette = cellPalette(theme)
-  return Uint32Array.from({ length: STATES }, (_, state) => {
+  return Uint32Array.from({ length: 2 * CELL_STATES }, (_, state) => {
     const [wall, cell] = [state & 1, state >> 1]
-    const known = (cell & KNOWN_BITS) >> KNOWN_SHIFT
     return isShownObstacle(sight, wall, cell)
-      ? obstacleColour(palette, sight, known, (cell & FELT_BIT) !== 0)
-      : freeColour(palette, sight, known, cell & SEARCH_BITS)
+      ? obstacleColour(palette, sight, cell)
+      : freeColour(palette, sight, cell)
   })
 }
 
-/**
- * Whether a cell looks like an obstacle: it is one, and known if only what is known is shown.
- * @param cell its byte in a frame
- */
-export function isShownObstacle(sight: Sight, wall: number, cell: number): boolean {
-  const isKnown = (cell & KNOWN_BITS) >> KNOWN_SHIFT === KNOWN.obstacle || (cell & FELT_BIT) !== 0
-  return wall === 1 && (sight !== 'known' || isKnown)
+/** Whether a cell looks like an obstacle: it is one, and known if only what is known is shown. */
+export function isShownObstacle(sight: Sight, wall: number, cell: CellState): boolean {
+  return wall === 1 && (sight !== 'known' || knownIn(cell) === KNOWN.obstacle || isFeltIn(cell))
 }
 
-function obstacleColour(palette: CellPalette, sight: Sight, known: number, felt: boolean): number {
-  if (felt) return palette.feltObstacle
-  const isVeiled = sight !== 'world' && known !== KNOWN.obstacle
+function obstacleColour(palette: CellPalette, sight: Sight, cell: CellState): number {
+  if (isFeltIn(cell)) return palette.feltObstacle
+  const isVeiled = sight !== 'world' && knownIn(cell) !== KNOWN.obstacle
   return isVeiled ? palette.unsensedObstacle : palette.obstacle
 }
 
-function freeColour(palette: CellPalette, sight: Sight, known: number, search: number): number {
-  if (sight !== 'world') return known === KNOWN.unknown ? palette.unsensed : palette.sensed
-  if (search === SEARCH.closed) return palette.closed
-  return search === SEARCH.open ? palette.open : palette.free
+function freeColour(palette: CellPalette, sight: Sight, cell: CellState): number {
+  if (sight !== 'world') {
+    return knownIn(cell) === KNOWN.unknown ? palette.unsensed : palette.sensed
+  }
+  if (searchIn(cell) === SEARCH.closed) return palette.closed
+  return searchIn(cell) === SEARCH.open ? palette.open : palette.free
 }

@@ -1,6 +1,7 @@
 import type { Cell } from '../grid/grid'
+import { KNOWN } from '../trace/cell-state'
 import { EVENT } from '../trace/events'
-import { type CellList, type Cells, type Frame, KNOWN, knownOf } from '../trace/frame'
+import { type CellList, type Cells, type Frame, knownOf } from '../trace/frame'
 import type { FieldRange } from './heat'
 import { knownGrid } from './known-obstacles'
 import { drawHits, drawLeaves } from './layers/boundary-points'

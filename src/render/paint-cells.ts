@@ -3,6 +3,7 @@ import { editedCells } from '../grid/edits'
 import type { Cell } from '../grid/grid'
 import { EVENT } from '../trace/events'
 import type { Frame } from '../trace/frame'
+import { kindTable } from '../trace/kind-table'
 import type { Tape } from '../trace/tape'
 import type { Box } from './box'
 import { isShownObstacle, stateOf } from './cell-colour'
@@ -53,9 +54,8 @@ export function paintBox(pixels: Uint32Array, states: CellStates, box: Box): voi
   }
 }
 
-/** Whether an event says something of how its cell looks, by its kind. */
-const isPainted = new Uint8Array(256)
-for (const kind of [
+/** Events that change how their cell looks. */
+const isPainted = kindTable([
   EVENT.open,
   EVENT.close,
   EVENT.sense,
@@ -63,9 +63,7 @@ for (const kind of [
   EVENT.attraction,
   EVENT.repulsion,
   EVENT.potential,
-]) {
-  isPainted[kind] = 1
-}
+])
 
 /** Paints the cells whose state is told by the events `from` up to `to` of the tape. */
 export function paintEvents(
@@ -79,7 +77,7 @@ export function paintEvents(
   const offsets = stepOffsets(tape.width)
   const paint = (cell: Cell) => {
     const pixel = cellPixel(states, cell)
-    // Many an event changes nothing that is seen: a cell is opened again, or closed by now.
+    // Many events change no pixel: the cell was open before, or has been closed since.
     if (pixels[cell] === pixel && !states.heat) return
     pixels[cell] = pixel
     painted(cell)

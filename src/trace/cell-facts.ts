@@ -1,10 +1,11 @@
 import type { Cell } from '../grid/grid'
+import { KNOWN, SEARCH } from './cell-state'
 import { EVENT, type EventKind } from './events'
-import { type CellList, type Frame, isFelt, KNOWN, knownOf, SEARCH, searchOf } from './frame'
+import { type CellList, type Frame, isFelt, knownOf, searchOf } from './frame'
 import { openedBy } from './opened'
 import type { Tape } from './tape'
 
-/** What the planner knows of one cell at one moment. `null` and empty lists: nothing so far. */
+/** What the planner knows of one cell at one moment; `null` or an empty list where it is nothing. */
 export interface CellFacts {
   /** Whether it is a vertex of the graph; of a grid's graph, whether its row is part of it. */
   readonly isVertex: boolean
@@ -34,8 +35,8 @@ export interface CellFacts {
 }
 
 /**
- * What a tape tells of `cell` up to the moment of `frame`. The frame knows most of it, and whether
- * there is anything to look for on the tape, which may be long.
+ * What a tape tells of `cell` up to the moment of `frame`. Most of it stands in the frame. What does
+ * not is looked for on the tape, which may be long, only if the frame says that it is there.
  */
 export function cellFacts(tape: Tape, frame: Frame, cell: Cell): CellFacts {
   const { attraction, repulsion, potential } = frame.fields
@@ -44,10 +45,9 @@ export function cellFacts(tape: Tape, frame: Frame, cell: Cell): CellFacts {
   const numbers = (list: CellList, kind: EventKind) =>
     list.includes(cell) ? eventsAt(tape, frame.time, cell, kind).map((i) => tape.value(i)) : []
   const isOnRoadmap = vertices.includes(cell)
-  const [node] = nodes.includes(cell) ? numbers(nodes, EVENT.node).slice(-1) : []
   return {
     isVertex: row < rows || isOnRoadmap,
-    edges: isOnRoadmap ? edgesAt(frame, cell) : 0,
+    edges: isOnRoadmap ? placesOf(frame.edges, cell).length : 0,
     ...searchAt(tape, frame, cell),
     attraction: valueAt(attraction, cell),
     repulsion: valueAt(repulsion, cell),
@@ -59,7 +59,7 @@ export function cellFacts(tape: Tape, frame: Frame, cell: Cell): CellFacts {
     onPath: placesOf(path, cell).at(-1) ?? null,
     hits: numbers(hits, EVENT.hit),
     leaves: numbers(leaves, EVENT.leave),
-    node: node ?? null,
+    node: numbers(nodes, EVENT.node).at(-1) ?? null,
   }
 }
 
@@ -67,12 +67,6 @@ function placesOf(list: CellList, cell: Cell): number[] {
   const places: number[] = []
   for (let i = list.indexOf(cell); i >= 0; i = list.indexOf(cell, i + 1)) places.push(i)
   return places
-}
-
-function edgesAt({ edges }: Frame, cell: Cell): number {
-  let count = 0
-  for (let i = edges.indexOf(cell); i >= 0; i = edges.indexOf(cell, i + 1)) count++
-  return count
 }
 
 const valueAt = (field: Float64Array | null, cell: Cell): number | null =>
@@ -106,9 +100,7 @@ function searchAt(
   return { search: 'closed', cost: tape.value(closed), parent }
 }
 
-/**
- * The way by which a cell was last reached before `time`. A thinned tape does not always tell it.
- */
+/** The way by which a cell was last reached before `time`. A thinned tape does not always have it. */
 function wayTo(tape: Tape, time: number, cell: Cell): Pick<CellFacts, 'cost' | 'parent'> {
   const over = (i: number) => openedBy(tape, i).find((opened) => opened.cell === cell)
   // A cell that opens its neighbours is one row away at most.

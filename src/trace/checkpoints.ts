@@ -4,11 +4,11 @@ import type { Tape } from './tape'
 
 /** Events between two checkpoints: a page folds so many within about an animation frame. */
 const SPACING = 3 << 17
-/** The last checkpoint lies so far before the end, from where one steps back most. */
+/** The last checkpoint lies so many events before the end, because most steps back begin at the end. */
 const BEFORE_END = 1 << 16
 /** Bytes of all checkpoints together; on a tape of large frames there are fewer of them. */
 const MOST_BYTES = 48 * 2 ** 20
-/** Of an entry in a list of cells. */
+/** Bytes of an entry in a list of cells. */
 const ENTRY_BYTES = 4
 
 /** A tape folded once from its beginning to its end. */
@@ -19,6 +19,10 @@ export interface Folded {
   readonly checkpoints: readonly Frame[]
 }
 
+/**
+ * @param spacing events between two checkpoints
+ * @param beforeEnd events between the last checkpoint and the end
+ */
 export function foldWhole(tape: Tape, spacing = SPACING, beforeEnd = BEFORE_END): Folded {
   const last = firstFrame(tape)
   const checkpoints: Frame[] = []
@@ -47,7 +51,7 @@ function checkpointTimes(length: number, spacing: number, beforeEnd: number): nu
   return [...times, length - beforeEnd]
 }
 
-/** Of what a frame does not share with the others. */
+/** Bytes of what a frame does not share with the others. */
 function sizeOf({ cells, fields, trail, path }: Frame): number {
   const { attraction, repulsion, potential } = fields
   const ofFields = [attraction, repulsion, potential].map((field) => field?.byteLength ?? 0)

@@ -1,19 +1,9 @@
 import { stepOffsets } from '../grid/directions'
 import type { Cell } from '../grid/grid'
 import type { Directions } from '../grid/steps'
+import { KNOWN, SEARCH, searchIn, withFelt, withKnown, withSearch } from './cell-state'
 import { EVENT } from './events'
-import {
-  type CellList,
-  FELT_BIT,
-  type Field,
-  type Frame,
-  firstFrame,
-  KNOWN,
-  KNOWN_BITS,
-  KNOWN_SHIFT,
-  SEARCH,
-  SEARCH_BITS,
-} from './frame'
+import { type CellList, type Field, type Frame, firstFrame } from './frame'
 import { LongList } from './long-list'
 import type { Tape } from './tape'
 
@@ -97,11 +87,11 @@ function fold(
       frame.rover = cell
       break
     case EVENT.sense:
-      sense(frame.cells, cell, other ? KNOWN.obstacle : KNOWN.free)
+      frame.cells[cell] = withKnown(frame.cells[cell], other ? KNOWN.obstacle : KNOWN.free)
       break
     case EVENT.target:
       frame.target = cell
-      // Who heads for a place goes straight there, or back along a boundary.
+      // On its way there, straight or back along a boundary, it keeps no obstacle at its side.
       frame.atSide = -1
       break
     case EVENT.mLine:
@@ -118,7 +108,7 @@ function fold(
       break
     case EVENT.feel:
       frame.atSide = cell
-      if (cell >= 0) frame.cells[cell] |= FELT_BIT
+      if (cell >= 0) frame.cells[cell] = withFelt(frame.cells[cell])
       break
     case EVENT.leave:
       push(frame.leaves, cell)
@@ -150,12 +140,12 @@ function clear(list: CellList): void {
 /** A cell is open or closed; on a thinned tape it may be closed without ever having been opened. */
 function search(frame: Frame, cell: Cell, now: number): void {
   const { cells } = frame
-  const before = cells[cell] & SEARCH_BITS
+  const before = searchIn(cells[cell])
   if (before === SEARCH.open) frame.open--
   else if (before === SEARCH.closed) frame.closed--
   if (now === SEARCH.open) frame.open++
   else frame.closed++
-  cells[cell] = (cells[cell] & ~SEARCH_BITS) | now
+  cells[cell] = withSearch(cells[cell], now)
 }
 
 function openNeighbours(frame: Frame, cell: Cell, opened: Directions, offsets: Int32Array): void {
@@ -164,10 +154,6 @@ function openNeighbours(frame: Frame, cell: Cell, opened: Directions, offsets: I
     left ^= 1 << direction
     search(frame, cell + offsets[direction], SEARCH.open)
   }
-}
-
-function sense(cells: Uint8Array, cell: Cell, known: number): void {
-  cells[cell] = (cells[cell] & ~KNOWN_BITS) | (known << KNOWN_SHIFT)
 }
 
 function fieldOf(frame: Frame, field: Field): Float64Array {

@@ -1,8 +1,6 @@
 import type { Cell } from '../grid/grid'
+import { isFeltIn, knownIn, searchIn } from './cell-state'
 import type { Tape } from './tape'
-
-/** What the search knows of a cell. */
-export const SEARCH = { untouched: 0, open: 1, closed: 2 } as const
 
 /** The parts of a potential, and their sum. */
 export type Field = 'attraction' | 'repulsion' | 'potential'
@@ -27,25 +25,6 @@ export type CellList = Cell[] | Int32Array
 /** Cells in their order, to be read only. */
 export type Cells = ArrayLike<Cell> & Iterable<Cell>
 
-/** What the rover knows of a cell. */
-export const KNOWN = { unknown: 0, free: 1, obstacle: 2 } as const
-
-/** Where in a cell's byte stands what: two bits, two bits, one bit. */
-export const SEARCH_BITS = 3
-export const KNOWN_SHIFT = 2
-export const KNOWN_BITS = 3 << KNOWN_SHIFT
-export const FELT_BIT = 1 << 4
-
-/** One of SEARCH. */
-export const searchOf = ({ cells }: Frame, cell: Cell): number => cells[cell] & SEARCH_BITS
-
-/** One of KNOWN. */
-export const knownOf = ({ cells }: Frame, cell: Cell): number =>
-  (cells[cell] & KNOWN_BITS) >> KNOWN_SHIFT
-
-/** Whether the rover felt the obstacle in a cell. */
-export const isFelt = ({ cells }: Frame, cell: Cell): boolean => (cells[cell] & FELT_BIT) !== 0
-
 /**
  * The picture after the first `time` events of a tape. Events only add ink, so any frame is a fold
  * from the start; what is transient (the rover's place, the target) is the latest of its kind.
@@ -54,10 +33,7 @@ export interface Frame {
   time: number
   /** Which of the planner's phases it is in; -1 before the first. */
   phase: number
-  /**
-   * For each cell what the search and the rover know of it, in one byte, because a large map has
-   * millions of them: read it with `searchOf`, `knownOf` and `isFelt`.
-   */
+  /** The state of each cell: read it with `searchOf`, `knownOf` and `isFelt`. */
   readonly cells: Uint8Array
   /** How many cells are open and closed, and the latest cost of one. */
   open: number
@@ -81,11 +57,12 @@ export interface Frame {
   /** Cells walked by the rover or the agent, and the path found by a search. */
   readonly trail: CellList
   readonly path: CellList
-  /** Nodes of the local tangent graph; it counts until an obstacle stops the rover or is left. */
+  /** Nodes of the latest local tangent graph, until an obstacle stops the rover or is left. */
   readonly nodes: CellList
-  /** -1 while there is none; felt obstacle cells apart, `atSide` is the one at the rover's side now. */
+  /** Where the rover or the agent is, and where it heads; -1 while there is none. */
   rover: Cell
   target: Cell
+  /** The obstacle cell at the rover's side now; -1 while there is none. */
   atSide: Cell
   /** Whether it follows a boundary, and on which side the obstacle is: 0 left, 1 right. */
   following: boolean
@@ -96,6 +73,16 @@ export interface Frame {
   line: number
 }
 
+/** What the search knows of a cell: one of SEARCH. */
+export const searchOf = ({ cells }: Frame, cell: Cell): number => searchIn(cells[cell])
+
+/** What the rover knows of a cell: one of KNOWN. */
+export const knownOf = ({ cells }: Frame, cell: Cell): number => knownIn(cells[cell])
+
+/** Whether the rover felt the obstacle in a cell. */
+export const isFelt = ({ cells }: Frame, cell: Cell): boolean => isFeltIn(cells[cell])
+
+/** The frame before the first event. */
 export function firstFrame({ width, height }: Tape): Frame {
   const cells = width * height
   return {
@@ -128,7 +115,7 @@ export function firstFrame({ width, height }: Tape): Frame {
   }
 }
 
-/** A frame of its own that shows the same, and to which events may be added. */
+/** A copy of a frame, to which events may be added: nothing but `vertices` and `edges` is shared. */
 export function copyOf(frame: Frame): Frame {
   const { attraction, repulsion, potential } = frame.fields
   const fields = {

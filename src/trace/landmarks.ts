@@ -1,22 +1,17 @@
 import { EVENT } from './events'
+import { kindTable } from './kind-table'
 import type { Tape } from './tape'
 
 /** Events that tell more of the event before them, so that no step ends between the two. */
-export const ATTACHED: ReadonlySet<number> = new Set([
-  EVENT.turn,
-  EVENT.feel,
-  EVENT.sense,
-  EVENT.value,
-  EVENT.node,
-])
+export const isAttached = kindTable([EVENT.turn, EVENT.feel, EVENT.sense, EVENT.value, EVENT.node])
 
-/** Events of which a whole run makes one step: one cell after the other would be tedious. */
-const RUNS: ReadonlySet<number> = new Set([EVENT.mLine, EVENT.path])
+/** Events of which all that follow one another make one step: cell by cell would be tedious. */
+const isRun = kindTable([EVENT.mLine, EVENT.path])
 
 /** Fields are written cell by cell and stepped row by row. */
-const FIELDS: ReadonlySet<number> = new Set([EVENT.attraction, EVENT.repulsion, EVENT.potential])
+const isField = kindTable([EVENT.attraction, EVENT.repulsion, EVENT.potential])
 
-const LANDMARKS: ReadonlySet<number> = new Set([
+const isLandmark = kindTable([
   EVENT.phase,
   EVENT.hit,
   EVENT.around,
@@ -24,15 +19,6 @@ const LANDMARKS: ReadonlySet<number> = new Set([
   EVENT.loop,
   EVENT.end,
 ])
-
-const marks = (kinds: ReadonlySet<number>): Uint8Array =>
-  Uint8Array.from({ length: 256 }, (_, kind) => (kinds.has(kind) ? 1 : 0))
-
-/** The same by kind: tapes are long, and looking up a set takes longer than all else here. */
-const isAttached = marks(ATTACHED)
-const isRun = marks(RUNS)
-const isField = marks(FIELDS)
-const isLandmark = marks(LANDMARKS)
 
 /** Whether the event begins a step of its own. */
 function beginsStep(tape: Tape, i: number): boolean {
@@ -43,8 +29,8 @@ function beginsStep(tape: Tape, i: number): boolean {
 }
 
 /**
- * The moments between which the player steps, as numbers of events: 0, then one after each step,
- * at last the whole tape.
+ * The moments between which the player steps, each as a number of events from the beginning: 0,
+ * then the end of each step, the last of which is the end of the tape.
  */
 export function stepsOf(tape: Tape): Int32Array {
   const moments = new Int32Array(tape.length + 1)
@@ -54,7 +40,7 @@ export function stepsOf(tape: Tape): Int32Array {
   return moments.slice(0, count)
 }
 
-/** Of the moments of `stepsOf` those that a landmark led to: a hit or leave point, a new phase, the end. */
+/** Those moments of `stepsOf` at which a step with a landmark ends: a hit or leave point, a new phase, the end. */
 export function landmarksOf(tape: Tape, steps: Int32Array): Int32Array {
   const moments: number[] = []
   for (let i = 1; i < steps.length; i++) {

@@ -3,9 +3,9 @@ import type { Cell } from '../grid/grid'
 const FIRST_ROOM = 16
 
 /**
- * Adds to a list of which there may be millions. The memory of the list has room behind its end, and
- * is shared by all frames of a tape: whichever of them comes to a place first writes what the others
- * would, for their lists only grow and are the same as far as they go. So to copy a list takes no time.
+ * Adds to a list that may have millions of entries. The buffer of a list has room behind its end, and
+ * all frames of a tape share it, so that copying a list takes no time. That is safe, because lists
+ * only grow: what one frame writes behind the end of another's list is what that one would write too.
  */
 export class LongList {
   #cells: Int32Array

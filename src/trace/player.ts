@@ -6,9 +6,10 @@ import type { Tape } from './tape'
 const REACH = 1 << 16
 
 /**
- * A cursor on a tape with the frame that belongs to it. It folds on from the nearest frame before
- * the moment it is moved to: its own, one that it keeps some way before the cursor, so that one step
- * back of many folds little, or one of the checkpoints, so that no jump folds all of a long tape.
+ * A cursor on a tape with the frame that belongs to it. To move, it folds on from the nearest frame
+ * before the new moment. That is its own frame; or one that it keeps some way before the cursor, so
+ * that many steps back, one after the other, fold little each; or one of the checkpoints, so that no
+ * jump folds all of a long tape.
  */
 export class Player {
   readonly tape: Tape
@@ -37,8 +38,8 @@ export class Player {
   }
 
   /**
-   * Goes on towards that moment until it is reached or the time is up, a little at least. Says whether
-   * it is reached; before, `frame` is that of no moment in particular.
+   * Moves towards that moment until it is reached or the time is up, but some way in any case. Returns
+   * whether it is reached; until then, `frame` is not one to be shown.
    */
   approach(time: number, isTimeUp: () => boolean): boolean {
     const to = Math.max(0, Math.min(time, this.tape.length))
@@ -53,7 +54,7 @@ export class Player {
     return this.#fold(this.#current, to, isTimeUp)
   }
 
-  /** Says whether the frame is at that time now. */
+  /** Returns whether the frame is at that time now. */
   #fold(frame: Frame, time: number, isTimeUp: () => boolean): boolean {
     while (frame.time < time) {
       advance(frame, this.tape, Math.min(time, frame.time + this.#reach))

@@ -1,11 +1,11 @@
 import { InputError } from '../grid/errors'
 import { type Cell, pointOf } from '../grid/grid'
 
-/** How many events are joined at a time: until then each is kept as the tree of its pieces. */
+/** So many events are joined at a time: before, each is kept in memory as the many pieces it was made of. */
 const BLOCK = 4096
 
 /** A number as JSON, at most six decimals; what JSON cannot say becomes a text. */
-export function numberText(value: number): string {
+function numberText(value: number): string {
   if (!Number.isFinite(value)) return value > 0 ? '"infinite"' : '"minus infinite"'
   // Where a double has no six decimals to spare, rounding would only spoil it.
   return String(Math.abs(value) < 1e9 ? Math.round(value * 1e6) / 1e6 : value)
@@ -17,7 +17,7 @@ export class PosthocLines {
   readonly types = new Set<string>()
   readonly #width: number
   readonly #most: number
-  /** For each cell whether its `id` was used, so that it may be a parent's. */
+  /** For each cell whether an event had its `id`: only then another event may name it as parent. */
   readonly #known: Uint8Array
   readonly #blocks: string[] = []
   #lines: string[] = []
@@ -81,7 +81,8 @@ export class PosthocLines {
 
   /**
    * All events, with commas between them.
-   * @throws InputError if they have more characters than they may; so do the others, in time.
+   * @throws InputError if they have more characters than they may. So does `begin`, as soon as it is
+   * known.
    */
   text(): string {
     this.#close()

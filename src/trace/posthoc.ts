@@ -1,6 +1,6 @@
 import type { Problem } from '../grid/problem'
 import { EVENT, STATUSES } from './events'
-import { ATTACHED } from './landmarks'
+import { isAttached } from './landmarks'
 import { openedBy } from './opened'
 import { PosthocDrive } from './posthoc-drive'
 import { PosthocLines } from './posthoc-lines'
@@ -59,7 +59,7 @@ function writeEvents(lines: PosthocLines, tape: Tape, info: PosthocInfo): void {
   const latest: number[] = []
   for (let i = 0; i < tape.length; i++) {
     const kind = tape.kind(i)
-    // Told of the event that they belong to.
+    // These are told with the event before them.
     if (kind === EVENT.value || kind === EVENT.turn) continue
     const cell = tape.cell(i)
     const other = tape.other(i)
@@ -79,7 +79,7 @@ function writeEvents(lines: PosthocLines, tape: Tape, info: PosthocInfo): void {
       drive.write(kind, cell, other, value)
     }
     lines.tellNumber('line', line)
-    if (!ATTACHED.has(kind)) tellAttached(lines, tape, i, info.variables, latest)
+    if (!isAttached[kind]) tellAttached(lines, tape, i, info.variables, latest)
     for (const opened of openedBy(tape, i)) {
       search.open(opened.cell, cell, opened.cost)
       lines.tellNumber('line', line)
@@ -88,9 +88,10 @@ function writeEvents(lines: PosthocLines, tape: Tape, info: PosthocInfo): void {
 }
 
 /**
- * Tells what follows event `i` without being an event of its own: a side, numbers decided by. Of a
- * cell that is closed all numbers are told, because the tape has only those that are new.
- * @param latest all numbers so far, by variable
+ * Adds to the trace's event for event `i` what the tape tells right after it: on which side the
+ * obstacle is, and the planner's variables. For a cell that is closed all variables are told, because
+ * the tape has only those that changed.
+ * @param latest values of all variables so far
  */
 function tellAttached(
   lines: PosthocLines,
@@ -101,7 +102,7 @@ function tellAttached(
 ): void {
   let side = -1
   const fresh: number[] = []
-  for (let j = i + 1; j < tape.length && ATTACHED.has(tape.kind(j)); j++) {
+  for (let j = i + 1; j < tape.length && isAttached[tape.kind(j)]; j++) {
     const other = tape.other(j)
     if (tape.kind(j) === EVENT.turn) side = other
     if (tape.kind(j) === EVENT.value) {

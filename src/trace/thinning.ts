@@ -1,10 +1,11 @@
 import { EVENT } from './events'
+import { kindTable } from './kind-table'
 
-/** What a long tape leaves out: nothing; small events, all along; these, and what came at its end. */
+/** What a tape leaves out: nothing; small events everywhere; small events, and all that came late. */
 export type Thinning = 'whole' | 'thinned' | 'cut'
 
-/** Events without which the others can be followed. */
-const SMALL: ReadonlySet<number> = new Set([
+/** Events without which the others can still be followed. */
+const SMALL = [
   EVENT.row,
   EVENT.test,
   EVENT.refuse,
@@ -18,18 +19,14 @@ const SMALL: ReadonlySet<number> = new Set([
   EVENT.scan,
   EVENT.node,
   EVENT.value,
-])
+]
 
-const ALL = new Set<number>(Object.values(EVENT))
-/** That it was cut is no reason not to say how it ended. */
-const ALL_BUT_THE_END = new Set([...ALL].filter((kind) => kind !== EVENT.end))
-
-const marked = (kinds: ReadonlySet<number>): Uint8Array =>
-  Uint8Array.from({ length: ALL.size }, (_, kind) => (kinds.has(kind) ? 1 : 0))
+/** Also a tape that was cut says how the run ended. */
+const ALL_BUT_THE_END = Object.values(EVENT).filter((kind) => kind !== EVENT.end)
 
 /** By kind whether an event is left out. */
 export const LEFT_OUT: Record<Thinning, Uint8Array> = {
-  whole: marked(new Set()),
-  thinned: marked(SMALL),
-  cut: marked(ALL_BUT_THE_END),
+  whole: kindTable([]),
+  thinned: kindTable(SMALL),
+  cut: kindTable(ALL_BUT_THE_END),
 }

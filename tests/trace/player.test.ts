@@ -1,8 +1,9 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { EVENT, type EventKind, type Frame, frameAt, Player } from '../../src/index'
+import { withFelt, withKnown } from '../../src/trace/cell-state'
 import { foldWhole } from '../../src/trace/checkpoints'
-import { FELT_BIT, type Field, KNOWN_SHIFT, packed } from '../../src/trace/frame'
+import { type Field, packed } from '../../src/trace/frame'
 import { type Event, events, HEIGHT, tapeOf, WIDTH } from './arbitraries'
 import { withOpened } from './written'
 
@@ -36,7 +37,7 @@ function picture(list: readonly Event[]): Frame {
     const found = lastAt(cell, EVENT.sense)
     return found === undefined ? 0 : found.other === 1 ? 2 : 1
   })
-  const felt = perCell((cell) => (lastAt(cell, EVENT.feel) ? FELT_BIT : 0))
+  const isFelt = perCell((cell) => lastAt(cell, EVENT.feel) !== undefined)
   const field = lastOf(EVENT.attraction, EVENT.repulsion, EVENT.potential)
   const test = since(EVENT.phase).findLast((e) => e.kind === EVENT.test)
   const refusal = since(EVENT.phase, EVENT.edge).findLast((e) => e.kind === EVENT.refuse)
@@ -57,9 +58,10 @@ function picture(list: readonly Event[]): Frame {
     field: FIELDS.find((name) => EVENT[name] === field?.kind) ?? null,
     test: test ? { cell: test.cell, obstacle: test.other, passed: test.value === 1 } : null,
     refusal: refusal ? { from: refusal.cell, to: refusal.other, at: refusal.value } : null,
-    cells: Uint8Array.from(
-      search.map((state, cell) => state | (known[cell] << KNOWN_SHIFT) | felt[cell]),
-    ),
+    cells: Uint8Array.from(search, (searched, cell) => {
+      const state = withKnown(searched, known[cell])
+      return isFelt[cell] ? withFelt(state) : state
+    }),
     vertices: Int32Array.from(cells(EVENT.vertex)),
     edges: Int32Array.from(all(EVENT.edge).flatMap((e) => [e.cell, e.other])),
     mLine: cells(EVENT.mLine),
