@@ -3,7 +3,7 @@ import type { Pen } from '../pen'
 import { edgeX, edgeY, type Placement } from '../placement'
 
 /** A rectangle in device pixels. */
-export interface Box {
+export interface PixelBox {
   readonly left: number
   readonly top: number
   readonly width: number
@@ -11,7 +11,7 @@ export interface Box {
 }
 
 /** The box around all cells between two corner cells, but never less than `least` wide and high. */
-export function boxAround(place: Placement, a: Cell, b: Cell, least: number): Box {
+export function boxAround(place: Placement, a: Cell, b: Cell, least: number): PixelBox {
   const [ax, bx] = [a % place.columns, b % place.columns]
   const [ay, by] = [Math.floor(a / place.columns), Math.floor(b / place.columns)]
   const across = stretch(edgeX(place, Math.min(ax, bx)), edgeX(place, Math.max(ax, bx) + 1), least)
@@ -25,14 +25,14 @@ function stretch(from: number, to: number, least: number): { start: number; leng
 }
 
 /** The box made smaller by `by` on each side; larger if that is negative. */
-export function inset({ left, top, width, height }: Box, by: number): Box {
+export function inset({ left, top, width, height }: PixelBox, by: number): PixelBox {
   return { left: left + by, top: top + by, width: width - 2 * by, height: height - 2 * by }
 }
 
 /** Draws along the box a line of `line` device pixels upon one three times as wide. */
 export function strokeBox(
   pen: Pen,
-  { left, top, width, height }: Box,
+  { left, top, width, height }: PixelBox,
   line: number,
   casing: string,
   colour: string,

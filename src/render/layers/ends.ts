@@ -3,6 +3,7 @@ import type { Problem } from '../../grid/problem'
 import type { Pen } from '../pen'
 import { cellsAreAtLeast, centreX, centreY, inProportion, type Placement } from '../placement'
 import type { Theme } from '../theme'
+import { strokeCased, traceDiamond } from './shapes'
 
 const GLYPHS_FROM = 14
 
@@ -41,32 +42,21 @@ function drawStart(pen: Pen, place: Placement, theme: Theme, cell: Cell, radius:
 function drawGoal(pen: Pen, place: Placement, theme: Theme, cell: Cell, radius: number) {
   const x = centreX(place, cell)
   const y = centreY(place, cell)
+  pen.beginPath()
   traceDiamond(pen, x, y, radius)
   fillAndRim(pen, place, theme, theme.goal)
   if (!cellsAreAtLeast(place, GLYPHS_FROM)) return
   pen.fillStyle = theme.markGlyph
+  pen.beginPath()
   traceDiamond(pen, x, y, 0.4 * radius)
   pen.fill()
 }
 
-function traceDiamond(pen: Pen, x: number, y: number, radius: number): void {
-  pen.beginPath()
-  pen.moveTo(x, y - radius)
-  pen.lineTo(x + radius, y)
-  pen.lineTo(x, y + radius)
-  pen.lineTo(x - radius, y)
-  pen.closePath()
-}
-
 function fillAndRim(pen: Pen, place: Placement, theme: Theme, fill: string): void {
   const rim = inProportion(place, 0.07, 1.5, 3)
+  const { casing, markRim } = theme
   pen.lineJoin = 'round'
-  pen.strokeStyle = theme.casing
-  pen.lineWidth = 2 * rim
-  pen.stroke()
-  pen.strokeStyle = theme.markRim
-  pen.lineWidth = rim
-  pen.stroke()
+  strokeCased(pen, { casing, casingWidth: 2 * rim, colour: markRim, width: rim })
   pen.fillStyle = fill
   pen.fill()
 }

@@ -4,6 +4,7 @@ import type { Pen } from '../pen'
 import { centreX, centreY, inProportion, type Placement } from '../placement'
 import type { Theme } from '../theme'
 import { boxAround, inset, strokeBox } from './boxes'
+import { strokeCased } from './shapes'
 import { traceTurned } from './turned'
 
 const LEAST_BOX = 9
@@ -40,12 +41,8 @@ export function drawRail(
   pen.lineJoin = 'round'
   pen.lineCap = 'round'
   const line = inProportion(place, 0.09, 1.75, 4.5)
-  pen.strokeStyle = theme.casing
-  pen.lineWidth = 2 * line
-  pen.stroke()
-  pen.strokeStyle = theme.hit
-  pen.lineWidth = line
-  pen.stroke()
+  const { casing, hit } = theme
+  strokeCased(pen, { casing, casingWidth: 2 * line, colour: hit, width: line })
 }
 
 /**

@@ -3,6 +3,7 @@ import type { Pen } from '../pen'
 import { inProportion, type Placement } from '../placement'
 import type { Theme } from '../theme'
 import { traceCells } from './polyline'
+import { strokeCased } from './shapes'
 
 /** The m-line, dashed. */
 export function drawMLine(pen: Pen, place: Placement, theme: Theme, cells: Cells): void {
@@ -13,12 +14,8 @@ export function drawMLine(pen: Pen, place: Placement, theme: Theme, cells: Cells
   pen.setLineDash([dash, 0.7 * dash])
   pen.beginPath()
   traceCells(pen, place, cells)
+  const { casing, mLine } = theme
   const width = inProportion(place, 0.08, 1.5, 3)
-  pen.strokeStyle = theme.casing
-  pen.lineWidth = 2 * width
-  pen.stroke()
-  pen.strokeStyle = theme.mLine
-  pen.lineWidth = width
-  pen.stroke()
+  strokeCased(pen, { casing, casingWidth: 2 * width, colour: mLine, width })
   pen.setLineDash([])
 }

@@ -2,6 +2,7 @@ import type { Cells } from '../../trace/frame'
 import type { Pen } from '../pen'
 import { centreX, centreY, inProportion, type Placement } from '../placement'
 import type { Theme } from '../theme'
+import { traceCircle } from './shapes'
 
 /** @param lines pairs of cells, one after the other, of those that may be seen */
 export function drawEdges(pen: Pen, place: Placement, theme: Theme, lines: Cells): void {
@@ -16,7 +17,7 @@ export function drawEdges(pen: Pen, place: Placement, theme: Theme, lines: Cells
   pen.stroke()
 }
 
-/** More circles than this take longer than there is in a frame; so small ones look like squares. */
+/** More circles than this take too long for a frame. Where there are so many, they are too small to be told from squares. */
 const MOST_CIRCLES = 4000
 
 /** @param vertices those that may be seen */
@@ -29,13 +30,9 @@ export function drawVertices(pen: Pen, place: Placement, theme: Theme, vertices:
   for (const cell of vertices) {
     const x = centreX(place, cell)
     const y = centreY(place, cell)
-    if (areSquares) {
-      // On whole pixels, which are filled much sooner.
-      pen.rect(Math.round(x - radius), Math.round(y - radius), side, side)
-    } else {
-      pen.moveTo(x + radius, y)
-      pen.arc(x, y, radius, 0, 2 * Math.PI)
-    }
+    // Squares on whole pixels are filled much faster.
+    if (areSquares) pen.rect(Math.round(x - radius), Math.round(y - radius), side, side)
+    else traceCircle(pen, x, y, radius)
   }
   pen.fill()
 }

@@ -2,6 +2,7 @@ import type { Grid } from '../../grid/grid'
 import type { Pen } from '../pen'
 import { cellsAreAtLeast, centreX, centreY, inProportion, type Placement } from '../placement'
 import type { Theme } from '../theme'
+import { traceCircle } from './shapes'
 
 /** Smaller cells have no room for a dot. */
 export const DOTS_FROM = 4
@@ -22,8 +23,7 @@ export function drawRowDots(
     for (let x = place.fromX; x < place.toX; x++) {
       const cell = y * width + x
       if (walls[cell]) continue
-      pen.moveTo(centreX(place, cell) + radius, centreY(place, cell))
-      pen.arc(centreX(place, cell), centreY(place, cell), radius, 0, 2 * Math.PI)
+      traceCircle(pen, centreX(place, cell), centreY(place, cell), radius)
     }
   }
   pen.fill()

@@ -1,7 +1,7 @@
 import type { Pen } from '../pen'
-import type { Placement } from '../placement'
-import { inProportion } from '../placement'
+import { inProportion, type Placement } from '../placement'
 import type { Theme } from '../theme'
+import { strokeCased } from './shapes'
 
 /** A tick around (x, y): this one passed. */
 export function drawTick(
@@ -38,13 +38,8 @@ export function drawCross(
 }
 
 function strokeSign(pen: Pen, place: Placement, casing: string, colour: string): void {
-  const line = inProportion(place, 0.09, 1.75, 4)
+  const width = inProportion(place, 0.09, 1.75, 4)
   pen.lineJoin = 'round'
   pen.lineCap = 'round'
-  pen.strokeStyle = casing
-  pen.lineWidth = 2.2 * line
-  pen.stroke()
-  pen.strokeStyle = colour
-  pen.lineWidth = line
-  pen.stroke()
+  strokeCased(pen, { casing, casingWidth: 2.2 * width, colour, width })
 }

@@ -3,6 +3,7 @@ import type { Cells } from '../../trace/frame'
 import type { Pen } from '../pen'
 import { centreX, centreY, inProportion, type Placement } from '../placement'
 import type { Theme } from '../theme'
+import { strokeCased, traceDiamond } from './shapes'
 
 /** The local tangent graph: diamonds for its nodes, each joined to the rover by a thin line. */
 export function drawTangentGraph(
@@ -21,28 +22,17 @@ export function drawTangentGraph(
     pen.moveTo(centreX(place, rover), centreY(place, rover))
     pen.lineTo(centreX(place, node), centreY(place, node))
   }
-  // On obstacles the line alone could hardly be seen.
-  pen.strokeStyle = theme.casing
-  pen.lineWidth = 3 * line
-  pen.stroke()
-  pen.strokeStyle = theme.sensor
-  pen.lineWidth = line
-  pen.stroke()
+  const { casing, sensor } = theme
+  strokeCased(pen, { casing, casingWidth: 3 * line, colour: sensor, width: line })
 
   const radius = inProportion(place, 0.2, 3, 8)
   pen.beginPath()
   for (const node of inMap) {
-    const x = centreX(place, node)
-    const y = centreY(place, node)
-    pen.moveTo(x, y - radius)
-    pen.lineTo(x + radius, y)
-    pen.lineTo(x, y + radius)
-    pen.lineTo(x - radius, y)
-    pen.closePath()
+    traceDiamond(pen, centreX(place, node), centreY(place, node), radius)
   }
-  pen.strokeStyle = theme.casing
+  pen.strokeStyle = casing
   pen.lineWidth = 4 * line
   pen.stroke()
-  pen.fillStyle = theme.sensor
+  pen.fillStyle = sensor
   pen.fill()
 }

@@ -5,6 +5,7 @@ import type { Pen } from '../pen'
 import { centreX, centreY, inProportion, type Placement } from '../placement'
 import type { Theme } from '../theme'
 import { traceCells } from './polyline'
+import { strokeCased, traceCircle } from './shapes'
 import { drawCross } from './signs'
 
 /** The edge that was added last: its simplest path, wider than the others, between larger ends. */
@@ -26,10 +27,7 @@ export function drawLatestEdge(
   pen.fillStyle = theme.vertex
   pen.beginPath()
   for (const cell of [from, to]) {
-    const x = centreX(place, cell)
-    const y = centreY(place, cell)
-    pen.moveTo(x + radius, y)
-    pen.arc(x, y, radius, 0, 2 * Math.PI)
+    traceCircle(pen, centreX(place, cell), centreY(place, cell), radius)
   }
   pen.fill()
 }
@@ -53,15 +51,11 @@ export function drawRefusal(
 }
 
 function strokeRefused(pen: Pen, place: Placement, theme: Theme, cells: ArrayLike<Cell>): void {
+  const { casing, failed } = theme
   const width = inProportion(place, 0.11, 2, 4.5)
   pen.lineJoin = 'round'
   pen.lineCap = 'butt'
   pen.beginPath()
   traceCells(pen, place, cells)
-  pen.strokeStyle = theme.casing
-  pen.lineWidth = 2 * width
-  pen.stroke()
-  pen.strokeStyle = theme.failed
-  pen.lineWidth = width
-  pen.stroke()
+  strokeCased(pen, { casing, casingWidth: 2 * width, colour: failed, width })
 }
