@@ -6,7 +6,7 @@ export const BLOCK = 64
 
 const FIRST_ROOM = 1024
 
-/** Things in the cells of a map, numbered as they come, found again by the blocks in which they lie. */
+/** Things in the cells of a map, numbered in the order they are added, and found again by blocks of cells. */
 export class BlockIndex {
   /** How many things there are. */
   length = 0
@@ -38,7 +38,7 @@ export class BlockIndex {
     this.length++
   }
 
-  /** About how many things lie in the box: of a block that is cut, as large a part as of its cells. */
+  /** About how many things lie in the box: where it cuts a block, things count in proportion to cells. */
   estimate(box: Box): number {
     let sum = 0
     this.#eachBlock(box, (block, column, row) => {
@@ -49,7 +49,7 @@ export class BlockIndex {
     return sum
   }
 
-  /** Visits all things in blocks that the box meets, and so some that lie outside it. */
+  /** Visits all things in the blocks that the box touches; some of them may lie outside the box. */
   visit(box: Box, each: (thing: number) => void): void {
     this.#eachBlock(box, (block) => {
       for (let i = this.#latest[block]; i >= 0; i = this.#before[i]) each(i)

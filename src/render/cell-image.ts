@@ -9,7 +9,7 @@ import { planOnMap, type Scene, type Sight, sightOf } from './scene'
 import type { Theme } from './theme'
 import { type Tiling, tileAt, tilingOf } from './tiling'
 
-/** What an image was painted from. The frame is not kept: it changes under the same name. */
+/** What an image was painted from. The frame is not kept, because playing goes on changing it. */
 interface Painted {
   readonly width: number
   readonly height: number
@@ -35,7 +35,7 @@ function paintedFrom(scene: Scene): Painted {
 const isSameSize = (before: Painted, now: Painted): boolean =>
   now.width === before.width && now.height === before.height
 
-/** More events than this, for each cell, and it is quicker to paint the map than what each tells. */
+/** With more events than this for each cell of the map, it is quicker to paint the whole map. */
 const MOST_EVENTS = 0.125
 
 /** Some events of a tape, up to `to`. */
@@ -46,9 +46,9 @@ interface Stretch {
 }
 
 /**
- * The events whose cells may look different now, apart from edited walls: those that came or were
- * taken back on the same tape, all of both if another plan has come. `null` if that cannot be said,
- * or if they are too many.
+ * The events whose cells may look different now, apart from edited walls. On the same tape these are
+ * the events between the two moments; if another plan has come, all events of both up to then. `null`
+ * if other cells may look different too, or if there are too many events.
  */
 function eventsBetween(before: Painted, now: Painted): readonly Stretch[] | null {
   const isSameKind =
@@ -65,20 +65,20 @@ function eventsBetween(before: Painted, now: Painted): readonly Stretch[] | null
   return stretches.flatMap(({ tape, ...rest }) => (tape ? [{ tape, ...rest }] : []))
 }
 
-/** How an image is brought up to date a part at a time. */
-export interface Haste {
+/** What comes first, and what may wait, when an image is brought up to date a part at a time. */
+export interface Priorities {
   /** Whether a part of the map is on screen: those parts come first. */
   isInView(box: Box): boolean
   /** Whether what is left has to wait for the next time. */
   isTimeUp(): boolean
 }
 
-const NO_HASTE: Haste = { isInView: () => true, isTimeUp: () => false }
+const ALL_AT_ONCE: Priorities = { isInView: () => true, isTimeUp: () => false }
 
 /**
- * The map as an image with one pixel a cell. It remembers what it shows and paints only what is
- * new: the cells of events that came since, and of walls that were edited. What changes as a whole
- * it paints tile by tile, if it must not take long.
+ * The map as an image with one pixel a cell. It remembers what it shows and paints only what has
+ * changed: the cells of events since then, and of walls that were edited. Where everything has
+ * changed, it paints tile by tile, so that it can stop when the time is up.
  */
 export class CellImage {
   pixels = new Uint32Array(0)
@@ -97,10 +97,10 @@ export class CellImage {
   }
 
   /**
-   * Brings the image up to the scene; edited cells at once, however little time there is. Says which
-   * cells it painted, in each tile where it did.
+   * Brings the image up to date with the scene; edited cells at once, however little time there is.
+   * @returns the cells it painted: one box for each tile where it painted any
    */
-  update(scene: Scene, haste = NO_HASTE): readonly Box[] {
+  update(scene: Scene, priorities = ALL_AT_ONCE): readonly Box[] {
     const before = this.#painted
     const now = paintedFrom(scene)
     this.#painted = now
@@ -108,7 +108,7 @@ export class CellImage {
     for (const box of this.#fresh) box.clear()
     if (!before || !isSameSize(before, now)) this.#begin(now)
     else this.#paintNew(before, now, states)
-    this.#paintLate(states, haste)
+    this.#paintLate(states, priorities)
     return this.#fresh.filter((box) => !box.isEmpty)
   }
 
@@ -152,7 +152,7 @@ export class CellImage {
     if (now.walls !== before.walls) paintEdits(this.pixels, states, before.walls, painted)
   }
 
-  #paintLate(states: CellStates, { isInView, isTimeUp }: Haste): void {
+  #paintLate(states: CellStates, { isInView, isTimeUp }: Priorities): void {
     const { boxes } = this.#tiling
     const late = [...this.#late]
     const inView = late.filter((tile) => isInView(boxes[tile]))

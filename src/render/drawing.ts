@@ -30,7 +30,10 @@ import { LINES_FROM } from './view'
 /** Smaller cells have their colour and nothing else. */
 const DETAILS_FROM = Math.min(DOTS_FROM, LINES_FROM)
 
-/** What lies directly upon the cells. @param range that of the field on show; `null` if none is */
+/**
+ * What lies directly upon the cells.
+ * @param range that of the field on show; `null` if none is
+ */
 export function drawGround(
   pen: Pen,
   place: Placement,
@@ -105,7 +108,7 @@ function drawTries(pen: Pen, place: Placement, scene: Scene, frame: Frame): void
   if (from !== undefined) drawLatestEdge(pen, place, theme, from, to)
   if (frame.refusal) {
     drawRefusal(pen, place, theme, frame.refusal)
-    // It may pass over some: refusals are told on small roadmaps only.
+    // The refused path may hide some vertices. There are few: only small roadmaps have refusals.
     drawVertices(pen, place, theme, frame.vertices)
   }
   if (frame.test) drawCornerTest(pen, place, theme, problem.grid, frame.test)
@@ -118,7 +121,7 @@ function drawMovement(pen: Pen, place: Placement, scene: Scene, frame: Frame): v
   const heading = headingOf(place.columns, frame.trail, problem.goal)
   if (rover !== problem.goal) drawTangentGraph(pen, place, theme, rover, nodes)
   if (target >= 0 && target !== rover) drawTarget(pen, place, theme, rover, target)
-  // On which side is not on a thinned tape.
+  // A thinned tape does not tell the side on which the obstacle is.
   if (following && scene.plan?.tape.thinning === 'whole') {
     if (atSide >= 0) drawAtSide(pen, place, theme, atSide)
     drawRail(pen, place, theme, rover, railAngle(place.columns, frame, heading), turn)

@@ -8,15 +8,15 @@ import { runToEnd, type Work } from './work'
 /** East to south-west: a line in any of the other directions is one of these from its other end. */
 const ONWARD = [2, 3, 4, 5] as const
 
-/** So many edges, or cells, take a fraction of the time in a frame. */
+/** So many edges, or cells, are worked through within a fraction of a frame. */
 const EDGES_AT_ONCE = 1 << 13
 const CELLS_AT_ONCE = 1 << 16
 
 /**
- * All that a roadmap's edges cover, as straight lines that do not overlap: pairs of cells. An edge
- * is the simplest path from its first cell to its second, so it lies on the lines between the
- * cells' centres, and thousands of edges share few of these.
+ * What a roadmap's edges cover, as straight lines that do not overlap: an edge is the simplest path
+ * between two cells, and thousands of edges run along the same few lines between cells' centres.
  * @param edges pairs of cells, one after the other
+ * @returns pairs of cells as well, the ends of the lines
  */
 export function edgeLines(columns: number, rows: number, edges: Cells): Cell[] {
   if (edges.length === 0) return []
@@ -27,7 +27,7 @@ export function edgeLines(columns: number, rows: number, edges: Cells): Cell[] {
   return lines
 }
 
-/** What edges cover of a map. More may be added, and the lines be collected, again and again. */
+/** What edges cover of a map. Edges may be added, and the lines collected, in turn. */
 export class EdgeCover implements Indexer<LineIndex> {
   readonly #columns: number
   readonly #rows: number
@@ -62,8 +62,8 @@ export class EdgeCover implements Indexer<LineIndex> {
     }
   }
 
-  /** Tells of each line from its northern end to the other, or from west to east. */
-  *collect(told: (from: Cell, to: Cell) => void): Work<void> {
+  /** Visits each line: from its northern end to the other one, a horizontal line from west to east. */
+  *collect(visit: (from: Cell, to: Cell) => void): Work<void> {
     const [columns, rows] = [this.#columns, this.#rows]
     const rowsAtOnce = Math.ceil(CELLS_AT_ONCE / columns)
     for (let i = 0; i < ONWARD.length; i++) {
@@ -72,7 +72,7 @@ export class EdgeCover implements Indexer<LineIndex> {
       const since = new Int32Array(columns + rows)
       for (let row = 0; row < rows; row += rowsAtOnce) {
         if (row > 0) yield
-        this.#collectRows(i, row, Math.min(rows, row + rowsAtOnce), covering, since, told)
+        this.#collectRows(i, row, Math.min(rows, row + rowsAtOnce), covering, since, visit)
       }
     }
   }
@@ -83,7 +83,7 @@ export class EdgeCover implements Indexer<LineIndex> {
     toRow: number,
     covering: Int32Array,
     since: Int32Array,
-    told: (from: Cell, to: Cell) => void,
+    visit: (from: Cell, to: Cell) => void,
   ): void {
     const [columns, rows] = [this.#columns, this.#rows]
     const changes = this.#changes[i]
@@ -98,7 +98,7 @@ export class EdgeCover implements Indexer<LineIndex> {
         const line = first + x * perColumn
         if (covering[line] === 0) since[line] = row + x
         covering[line] += change
-        if (covering[line] === 0) told(since[line], row + x)
+        if (covering[line] === 0) visit(since[line], row + x)
       }
     }
   }

@@ -1,3 +1,4 @@
+import { newContext } from './canvas'
 import { CellCanvas } from './cell-canvas'
 import { CellImage } from './cell-image'
 import { drawGround, drawMarks, drawPlan } from './drawing'
@@ -11,7 +12,6 @@ import { type Placement, placeMap } from './placement'
 import { planOnMap, type Scene } from './scene'
 import { svgCells } from './svg-cells'
 import { SvgPen, svgPaint } from './svg-pen'
-import { contextOf } from './tile-canvas'
 
 /** Side of a cell in pixels, unless the map is too large for that or another size is asked for. */
 const PNG_CELL = 48
@@ -77,10 +77,7 @@ export async function pictureAsPng(scene: Scene, cellSize?: number): Promise<Blo
   const usual = cellWithin(scene, PNG_CELL, USUAL_SIDE)
   const asked = Math.min(cellSize ?? usual, GREATEST_CELL)
   const { place, width, height } = wholeMap(scene, cellWithin(scene, asked, GREATEST_SIDE))
-  const canvas = document.createElement('canvas')
-  canvas.width = width
-  canvas.height = height
-  const context = contextOf(canvas)
+  const context = newContext(width, height)
   const image = new CellImage()
   const cells = new CellCanvas()
   const painted = image.update(scene)
@@ -91,7 +88,7 @@ export async function pictureAsPng(scene: Scene, cellSize?: number): Promise<Blo
   cells.draw(context, place)
   drawUponCells(context, place, scene, image.fieldRange)
   return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => {
+    context.canvas.toBlob((blob) => {
       if (blob) resolve(blob)
       else reject(new Error('This browser cannot make a picture of this size.'))
     }, 'image/png')

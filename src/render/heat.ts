@@ -28,8 +28,8 @@ export function fieldRange(tape: Tape, field: Field): FieldRange | null {
 }
 
 /**
- * The colour level of a potential, from 0 to 255; -1 if it is not finite. Potentials grow with the
- * square of the distance, so that levels are even in its root.
+ * The colour level of a potential, from 0 to 255; -1 if it is not finite. It grows with the square
+ * root of the potential, because potentials grow with the square of the distance.
  */
 export function heatLevel({ min, max }: FieldRange, potential: number): number {
   if (!Number.isFinite(potential)) return -1
@@ -37,7 +37,7 @@ export function heatLevel({ min, max }: FieldRange, potential: number): number {
   return Math.round(Math.sqrt((potential - min) / (max - min)) * (HEAT_LEVELS - 1))
 }
 
-/** The theme's heat colours, drawn out to one for each level. */
+/** A colour for each level, between those that the theme names. */
 export function heatColours({ heat }: Theme): Rgb[] {
   const stops = heat.map(rgbOf)
   return Array.from({ length: HEAT_LEVELS }, (_, level) => {
@@ -47,27 +47,23 @@ export function heatColours({ heat }: Theme): Rgb[] {
   })
 }
 
-const pixels = new WeakMap<Theme, Uint32Array>()
-
-/** The pixel of each level. Kept for each theme. */
-export function heatPixels(theme: Theme): Uint32Array {
-  const kept = pixels.get(theme)
-  if (kept) return kept
-  const made = Uint32Array.from(heatColours(theme), pixelOf)
-  pixels.set(theme, made)
-  return made
+/** Makes something of a theme once and keeps it: it is asked for in every frame. */
+function oncePerTheme<Made>(make: (theme: Theme) => Made): (theme: Theme) => Made {
+  const kept = new WeakMap<Theme, Made>()
+  return (theme) => {
+    const made = kept.get(theme) ?? make(theme)
+    kept.set(theme, made)
+    return made
+  }
 }
 
-const inks = new WeakMap<Theme, readonly string[]>()
+/** The pixel of each level. */
+export const heatPixels = oncePerTheme((theme) => Uint32Array.from(heatColours(theme), pixelOf))
 
-/** The ink that is read best on each level. Kept for each theme, as it is asked for every frame. */
-export function heatInks(theme: Theme): readonly string[] {
-  const kept = inks.get(theme)
-  if (kept) return kept
+/** For each level the ink that is easier to read on it. */
+export const heatInks = oncePerTheme((theme): readonly string[] => {
   const { dark, light } = theme.ink
-  const chosen = heatColours(theme).map((colour) =>
+  return heatColours(theme).map((colour) =>
     contrast(colour, rgbOf(dark)) > contrast(colour, rgbOf(light)) ? dark : light,
   )
-  inks.set(theme, chosen)
-  return chosen
-}
+})

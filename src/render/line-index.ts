@@ -1,15 +1,14 @@
 import type { Cell } from '../grid/grid'
 import { BLOCK, BlockIndex } from './block-index'
 import type { Box } from './box'
-import { mayBeSeen } from './layers/polyline'
-import { boxInView, MOST_IN_VIEW, type Placement } from './placement'
+import { boxInView, MOST_IN_VIEW, mayBeSeen, type Placement } from './placement'
 
 const FIRST_ROOM = 1024
 
-/** Straight lines between cells: of millions those on the screen are found in a fraction of a frame. */
+/** Straight lines between cells. Those on the screen are found quickly, even among millions. */
 export class LineIndex {
   readonly #columns: number
-  /** Pairs of cells. Long lines are few: where they do not overlap each takes the room of many. */
+  /** Pairs of cells. Long ones are kept apart; they do not overlap, so that a map has few of them. */
   #short = new Int32Array(FIRST_ROOM)
   readonly #long: Cell[] = []
   /** The short lines by their first cells. */
@@ -63,7 +62,7 @@ export class LineIndex {
   }
 }
 
-/** With all cells at which a short line may begin that reaches into the box. */
+/** The box with all cells around it from which a short line may reach into it. */
 const widened = ({ left, top, right, bottom }: Box): Box => ({
   left: left - BLOCK,
   top: top - BLOCK,

@@ -58,8 +58,9 @@ export class Picture {
   }
 
   /**
-   * Draws what has changed since the last time, in as much time as there is in a frame. To be called
-   * once in an animation frame, and in the next one as well if it returns that not all is drawn yet.
+   * Draws what has changed since the last time. To be called once in an animation frame.
+   * @param isTimeUp says when to leave what is not urgent to the next frame
+   * @returns whether all is drawn; if not, it has to be called in the next frame too
    */
   draw(scene: Scene, view: View, isTimeUp = () => false): boolean {
     const { grid } = scene.problem
@@ -67,13 +68,14 @@ export class Picture {
     const isInView = (box: Box) => isBoxVisible(place, box)
     const painted = this.#image.update(scene, { isInView, isTimeUp })
     this.#cells.take(this.#image.pixels, grid, painted)
-    const ground = [place.left, place.top, place.cell, grid.width, grid.height, scene.theme]
-    this.#drawGround(scene, place, ground, painted.filter(isInView))
+    // What all sheets are drawn from.
+    const common = [place.left, place.top, place.cell, grid.width, grid.height, scene.theme]
+    this.#drawGround(scene, place, common, painted.filter(isInView))
     const isIndexed = this.#indexRoadmap(scene, isTimeUp)
-    this.#drawRoadmap(scene, place, ground)
-    this.#drawPlan(scene, place, ground)
-    this.#drawComparison(scene, place, ground)
-    this.#drawMarks(scene, place, ground)
+    this.#drawRoadmap(scene, place, common)
+    this.#drawPlan(scene, place, common)
+    this.#drawComparison(scene, place, common)
+    this.#drawMarks(scene, place, common)
     return this.#image.isComplete && isIndexed
   }
 
@@ -95,11 +97,11 @@ export class Picture {
   #drawGround(
     scene: Scene,
     place: Placement,
-    ground: readonly unknown[],
+    common: readonly unknown[],
     painted: readonly Box[],
   ): void {
     const rows = cellsAreAtLeast(place, DOTS_FROM) ? dottedRows(scene) : 0
-    const isOutdated = this.#ground.isOutdated([...ground, rows])
+    const isOutdated = this.#ground.isOutdated([...common, rows])
     if (!isOutdated && painted.length === 0) return
     const range = this.#image.fieldRange
     const draw = (part: Placement) => {
@@ -112,7 +114,7 @@ export class Picture {
       draw(place)
       return
     }
-    // What a cell looks like can be seen in the pixels and the rims around it.
+    // A cell also changes the rims of its neighbours, and smoothed pixels around it.
     const margin = 1 + Math.ceil(2 / place.cell)
     for (const box of painted) {
       const part = placeOfBox(place, box, margin)
@@ -120,7 +122,7 @@ export class Picture {
     }
   }
 
-  /** Says whether all of it is taken in. */
+  /** Returns whether all of the roadmap is in its indexes. */
   #indexRoadmap(scene: Scene, isTimeUp: () => boolean): boolean {
     const plan = planOnMap(scene)
     const tape = plan?.tape ?? null
@@ -129,9 +131,9 @@ export class Picture {
     return hasVertices && hasEdges
   }
 
-  #drawRoadmap(scene: Scene, place: Placement, ground: readonly unknown[]): void {
+  #drawRoadmap(scene: Scene, place: Placement, common: readonly unknown[]): void {
     const { ready } = this.#lines
-    if (!this.#roadmap.isOutdated([...ground, ready])) return
+    if (!this.#roadmap.isOutdated([...common, ready])) return
     const inView = ready?.inView(place)
     const lines = inView ?? []
     this.#hidesEdges = inView === null
@@ -140,8 +142,8 @@ export class Picture {
     )
   }
 
-  /** Later frames of a tape only have more of everything, so the counts tell what is drawn. */
-  #drawPlan(scene: Scene, place: Placement, ground: readonly unknown[]): void {
+  /** Later frames of a tape have the same and more, so the counts say whether anything is new. */
+  #drawPlan(scene: Scene, place: Placement, common: readonly unknown[]): void {
     const plan = planOnMap(scene)
     const frame = plan?.frame
     const { ready, readyLength } = this.#vertices
@@ -153,7 +155,7 @@ export class Picture {
       frame?.hits.length,
       frame?.leaves.length,
     ]
-    if (!this.#plan.isOutdated([...ground, plan?.tape, ready, ...counts])) return
+    if (!this.#plan.isOutdated([...common, plan?.tape, ready, ...counts])) return
     const vertices = ready?.inView(place)
     this.#hidesVertices = vertices === null
     this.#plan.redraw(counts.some(Boolean), () => {
@@ -161,15 +163,15 @@ export class Picture {
     })
   }
 
-  #drawComparison(scene: Scene, place: Placement, ground: readonly unknown[]): void {
+  #drawComparison(scene: Scene, place: Placement, common: readonly unknown[]): void {
     const paths = scene.comparison.flatMap(({ path, style }) => [path, style])
-    if (!this.#comparison.isOutdated([...ground, ...paths])) return
+    if (!this.#comparison.isOutdated([...common, ...paths])) return
     this.#comparison.redraw(paths.length > 0, () =>
       drawComparison(this.#comparison.context, place, scene.theme, scene.comparison),
     )
   }
 
-  #drawMarks(scene: Scene, place: Placement, ground: readonly unknown[]): void {
+  #drawMarks(scene: Scene, place: Placement, common: readonly unknown[]): void {
     const { start, goal } = scene.problem
     const plan = planOnMap(scene)
     const frame = plan?.frame
@@ -190,7 +192,7 @@ export class Picture {
       frame?.refusal,
     ]
     const lists = [...latestEdge(scene), null, ...(frame?.nodes ?? [])]
-    if (!this.#marks.isOutdated([...ground, ...inputs, ...lists])) return
+    if (!this.#marks.isOutdated([...common, ...inputs, ...lists])) return
     this.#marks.redraw(true, () => drawMarks(this.#marks.context, place, scene))
   }
 }

@@ -87,10 +87,14 @@ export function cellsAreAtLeast(place: Placement, size: number): boolean {
   return place.cell >= size * place.pixel
 }
 
-/** Cells beside a cell into which what stands out of it reaches at most. */
-export const reachOf = (place: Placement): number => Math.ceil((16 * place.pixel) / place.cell)
+/** No mark reaches farther out of its cell than this, in CSS pixels. */
+const MARK_REACH = 16
 
-/** Whether a cell, or what stands out of it, can be seen. */
+/** How many cells that is. */
+export const reachOf = (place: Placement): number =>
+  Math.ceil((MARK_REACH * place.pixel) / place.cell)
+
+/** Whether a cell, or a mark in it that is larger than the cell, can be seen. */
 export function isVisible(place: Placement, cell: Cell): boolean {
   const x = cell % place.columns
   const y = Math.floor(cell / place.columns)
@@ -103,13 +107,23 @@ export function isVisible(place: Placement, cell: Cell): boolean {
   )
 }
 
+/** Whether a line between two cells may be seen: its box meets the part of the map on screen. */
+export function mayBeSeen(place: Placement, a: Cell, b: Cell): boolean {
+  const ax = a % place.columns
+  const bx = b % place.columns
+  if (Math.max(ax, bx) < place.fromX - 1 || Math.min(ax, bx) > place.toX) return false
+  const ay = Math.floor(a / place.columns)
+  const by = Math.floor(b / place.columns)
+  return Math.max(ay, by) >= place.fromY - 1 && Math.min(ay, by) <= place.toY
+}
+
 /**
- * More vertices or lines than this on one screen can hardly be told apart, nor drawn in a fraction of
- * a frame: they come into sight as one zooms in.
+ * More vertices or lines than this on one screen could hardly be told apart, nor drawn within a frame:
+ * they are shown once one zooms in.
  */
 export const MOST_IN_VIEW = 20_000
 
-/** The cells that can be seen, and so many around them. */
+/** The cells that can be seen, and `margin` cells around them. */
 export function boxInView({ fromX, toX, fromY, toY }: Placement, margin: number): Box {
   return { left: fromX - margin, top: fromY - margin, right: toX + margin, bottom: toY + margin }
 }

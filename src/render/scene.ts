@@ -12,8 +12,8 @@ export interface PlanMoment {
 }
 
 /**
- * What is shown of a planner with a rover: the world, with all obstacles and as if nothing had to be
- * sensed; only what the rover knows, all else veiled; or both, one upon the other.
+ * What is shown of a planner with a rover: the world, with all obstacles, sensed or not; only what
+ * the rover knows; or both, the world with a veil over what the rover does not know.
  */
 export type Sight = 'both' | 'world' | 'known'
 

@@ -1,5 +1,5 @@
+import { contextOf } from './canvas'
 import { edgeX, edgeY, type Placement } from './placement'
-import { contextOf } from './tile-canvas'
 
 /** One of the canvases on top of each other. It remembers what it was drawn from. */
 export class Sheet {
@@ -32,7 +32,7 @@ export class Sheet {
     this.#isBlank = true
   }
 
-  /** Whether any of the things it is drawn from is another than when this was asked last. */
+  /** Whether anything that it is drawn from has changed since this was asked last. */
   isOutdated(by: readonly unknown[]): boolean {
     const before = this.#drawnFrom
     this.#drawnFrom = by
@@ -40,8 +40,8 @@ export class Sheet {
   }
 
   /**
-   * Draws it anew. A sheet that was blank and stays so is left alone: to hand over a canvas as large
-   * as the screen takes the browser longer than most drawings do.
+   * Draws it anew. A sheet that was blank and stays blank is left alone: for the browser, a canvas as
+   * large as the screen that has changed is more work than most drawings.
    */
   redraw(hasContent: boolean, draw: () => void): void {
     if (!hasContent && this.#isBlank) return
@@ -55,7 +55,7 @@ export class Sheet {
     this.context.fillRect(0, 0, this.#canvas.width, this.#canvas.height)
   }
 
-  /** Draws on that part of it only in which the placement's cells lie. */
+  /** Draws only where the cells of the placement lie. */
   within(part: Placement, draw: () => void): void {
     const { context } = this
     const [left, top] = [edgeX(part, part.fromX), edgeY(part, part.fromY)]

@@ -9,8 +9,9 @@ export interface Indexer<Index> {
 }
 
 /**
- * The index of a list in the frames of a tape, to which the tape only adds. What takes long is done
- * a slice at a time; what was ready before is shown meanwhile, and what comes meanwhile waits.
+ * The index of a list in the frames of a tape, which only grows. Work that takes long is done a slice
+ * at a time. Until it is done, the index from before is the one to be shown, and what is added to the
+ * list meanwhile waits.
  */
 export class SlicedIndex<Index> {
   readonly #newIndexer: (columns: number, rows: number) => Indexer<Index>
@@ -18,7 +19,7 @@ export class SlicedIndex<Index> {
   #readyLength = 0
   #indexer: Indexer<Index> | null = null
   #tape: Tape | null = null
-  /** Of the list, as far as the indexer was told to take it. */
+  /** How many entries of the list the indexer has taken, or is at work on. */
   #length = 0
   #work: Work<void> | null = null
 
@@ -36,7 +37,7 @@ export class SlicedIndex<Index> {
     return this.#readyLength
   }
 
-  /** Goes on for as long as there is time; says whether it is done with the list as it is now. */
+  /** Goes on for as long as there is time; returns whether all of the list is in the index. */
   update(tape: Tape | null, list: Cells, isTimeUp: () => boolean): boolean {
     if (!tape || list.length === 0) {
       this.#clear()
@@ -61,7 +62,7 @@ export class SlicedIndex<Index> {
   }
 
   #beginOn(tape: Tape): void {
-    // On a map of another size the cells are others; else what the plan before had is better than nothing.
+    // The index of the plan before is shown until this one has its own, unless the map has another size.
     if (tape.width !== this.#tape?.width || tape.height !== this.#tape.height) this.#clear()
     this.#tape = tape
     this.#indexer = null

@@ -1,18 +1,5 @@
 import type { Box } from './box'
-
-/** The context of a canvas. @throws Error if the browser draws no canvas. */
-export function contextOf(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
-  const context = canvas.getContext('2d')
-  if (!context) throw new Error('This browser cannot draw on a canvas.')
-  return context
-}
-
-function newContext(width: number, height: number): CanvasRenderingContext2D {
-  const canvas = document.createElement('canvas')
-  canvas.width = width
-  canvas.height = height
-  return contextOf(canvas)
-}
+import { newContext } from './canvas'
 
 /** Below this size of a cell, in device pixels, a tile is drawn from its half. */
 const HALF_BELOW = 0.5
@@ -30,7 +17,7 @@ export class TileCanvas {
     this.#full = newContext(right - left, bottom - top)
   }
 
-  /** Takes over the pixels of a box from an image of the whole map, in which the tile has a corner at (x, y). */
+  /** Takes over the pixels of a box from an image of the whole map, in which the tile begins at (x, y). */
   take(image: ImageData, x: number, y: number, { left, top, right, bottom }: Box): void {
     this.#full.putImageData(image, -x, -y, left, top, right - left, bottom - top)
     this.#isHalfLate = true

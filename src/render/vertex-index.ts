@@ -5,10 +5,10 @@ import { boxInView, isVisible, MOST_IN_VIEW, type Placement, reachOf } from './p
 import type { Indexer } from './sliced-index'
 import type { Work } from './work'
 
-/** So many vertices take a fraction of the time in a frame. */
+/** So many vertices are taken in within a fraction of a frame. */
 const AT_ONCE = 1 << 16
 
-/** The vertices of a roadmap: of millions those on the screen are found in a fraction of a frame. */
+/** The vertices of a roadmap. Those on the screen are found quickly, even among millions. */
 export class VertexIndex implements Indexer<VertexIndex> {
   readonly #blocks: BlockIndex
   #vertices: Cells = []
@@ -17,7 +17,7 @@ export class VertexIndex implements Indexer<VertexIndex> {
     this.#blocks = new BlockIndex(columns, rows)
   }
 
-  /** Grows itself and shows meanwhile what it has. */
+  /** The index grows itself: what is in it so far can be shown meanwhile. */
   *take(vertices: Cells, length: number): Work<VertexIndex> {
     const blocks = this.#blocks
     this.#vertices = vertices

@@ -46,17 +46,12 @@ export function cellAt(view: View, grid: MapSize, px: number, py: number): Cell 
   return inside ? y * grid.width + x : -1
 }
 
+/** Where a cell is on the screen. */
 export function cellRect(view: View, grid: MapSize, cell: Cell): Rect {
   const { scale, left, top } = view
   const x = cell % grid.width
   const y = Math.floor(cell / grid.width)
   return { left: left + x * scale, top: top + y * scale, width: scale, height: scale }
-}
-
-/** The centre of a cell on the screen, in CSS pixels. */
-export function cellCentre(view: View, grid: MapSize, cell: Cell): Point {
-  const rect = cellRect(view, grid, cell)
-  return { x: rect.left + rect.width / 2, y: rect.top + rect.height / 2 }
 }
 
 /** Least and greatest side of a cell: the whole of a large map, or a few cells of it, can be seen. */

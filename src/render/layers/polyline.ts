@@ -1,18 +1,8 @@
 import type { Cell } from '../../grid/grid'
 import type { Pen } from '../pen'
-import { centreX, centreY, type Placement } from '../placement'
+import { centreX, centreY, mayBeSeen, type Placement } from '../placement'
 
-/** Whether a line between two cells may be seen: its box meets the part of the map on screen. */
-export function mayBeSeen(place: Placement, a: Cell, b: Cell): boolean {
-  const ax = a % place.columns
-  const bx = b % place.columns
-  if (Math.max(ax, bx) < place.fromX - 1 || Math.min(ax, bx) > place.toX) return false
-  const ay = Math.floor(a / place.columns)
-  const by = Math.floor(b / place.columns)
-  return Math.max(ay, by) >= place.fromY - 1 && Math.min(ay, by) <= place.toY
-}
-
-/** On a map two cells wide, steps in different directions lead equally far in the cells' numbers. */
+/** Columns are compared too: on a map two cells wide, different steps change a cell's index alike. */
 function goesStraightOn({ columns }: Placement, a: Cell, b: Cell, c: Cell): boolean {
   return b - a === c - b && (b % columns) - (a % columns) === (c % columns) - (b % columns)
 }
