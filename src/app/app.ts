@@ -6,6 +6,7 @@ import { bindFiles } from './files'
 import { oncePlanned } from './first-picture'
 import { drawIcons } from './icons'
 import { keep } from './keeper'
+import { tell } from './messages'
 import { bindLink } from './open-link'
 import { compareCard } from './panels/compare-card'
 import { crowdedNote } from './panels/crowded-note'
@@ -27,7 +28,7 @@ import { initialState, type Shown, type State } from './state'
 import { browserShelf, loadPreferences, loadSetup } from './storage'
 import { createStore, type Store } from './store'
 import { bindInput } from './tools/bind'
-import { clearObstacles, hidePath, tell } from './transitions'
+import { clearObstacles, hidePath } from './transitions'
 
 /** Puts the page together: the state, what changes it, and what shows it. */
 export function startApp(): void {

@@ -1,6 +1,6 @@
-import { placeOf, scoreOf, timeOfPlace } from './score'
 import type { Tempo } from './speeds'
 import { type Shown, type State, THE_END } from './state'
+import { placeOf, timelineOf, timeOfPlace } from './timeline'
 
 /** What is played because a plan is new comes to its end at once. */
 export function endWelcome(state: State): State {
@@ -22,7 +22,8 @@ export function cursorOn(state: State, shown: Shown, welcome: Tempo | null): Cur
   if (!before || !isSamePlanner || (state.time === THE_END && !state.kept)) {
     return { time: welcome ? 0 : THE_END, playing: welcome, kept: null }
   }
-  const kept = state.kept ?? placeOf(scoreOf(before.tape), Math.min(state.time, before.tape.length))
-  const time = timeOfPlace(scoreOf(shown.tape), kept)
+  const kept =
+    state.kept ?? placeOf(timelineOf(before.tape), Math.min(state.time, before.tape.length))
+  const time = timeOfPlace(timelineOf(shown.tape), kept)
   return { time: time < shown.tape.length ? time : THE_END, playing: state.playing, kept }
 }

@@ -1,9 +1,10 @@
 import { InputError, messageOf } from '../grid/errors'
 import { onFileDropped } from './drop-zone'
 import { byId } from './element'
+import { tell } from './messages'
 import type { State } from './state'
 import type { Store } from './store'
-import { changeMap, tell } from './transitions'
+import { changeMap } from './transitions'
 
 /** More than any map needs; a larger file is not even read. */
 const MOST_BYTES = 64 * 2 ** 20

@@ -1,7 +1,7 @@
+import { tell } from './messages'
 import type { State } from './state'
 import { type Shelf, savePreferences, saveSetup } from './storage'
 import type { Store } from './store'
-import { tell } from './transitions'
 
 const QUIET_MS = 400
 

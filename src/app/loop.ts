@@ -1,6 +1,6 @@
 import { EVENT } from '../trace/events'
 import { isAtEnd, type Moment } from './moment'
-import { scoreOf, stepAt } from './score'
+import { stepAt, timelineOf } from './timeline'
 
 /**
  * Where a loop began: the number of the step that brought the rover to the place and into the state
@@ -15,7 +15,7 @@ export function loopBegan(moment: Moment): number | null {
   let walked = -1
   for (let i = 0; i < latest; i++) {
     if (tape.kind(i) === EVENT.step) walked++
-    if (walked === tape.value(latest)) return stepAt(scoreOf(tape), i + 1)
+    if (walked === tape.value(latest)) return stepAt(timelineOf(tape), i + 1)
   }
   return null
 }

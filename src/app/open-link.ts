@@ -1,9 +1,10 @@
 import { messageOf } from '../grid/errors'
 import { setupInLink } from './link'
+import { tell } from './messages'
 import type { Setup } from './setup'
 import type { State } from './state'
 import type { Store } from './store'
-import { changeMap, tell } from './transitions'
+import { changeMap } from './transitions'
 
 /** The setup that an address names, opened above what was drawn: undo leads back to that. */
 export function openLink(state: State, hash: string): State {

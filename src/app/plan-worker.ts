@@ -3,7 +3,7 @@ import { messageOf } from '../grid/errors'
 import { foldWhole } from '../trace/checkpoints'
 import { type Frame, packed } from '../trace/frame'
 import { Tape } from '../trace/tape'
-import { scoreOf } from './score'
+import { timelineOf } from './timeline'
 import type { WorkerAnswer, WorkerQuestion } from './worker-protocol'
 
 const BETWEEN_REPORTS_MS = 50
@@ -31,14 +31,14 @@ function answer({ id, problem, plannerId, params, seed }: WorkerQuestion): void 
   const folded = foldWhole(tape)
   const last = packed(folded.last)
   const checkpoints = folded.checkpoints.map(packed)
-  const score = scoreOf(tape)
+  const timeline = timelineOf(tape)
   const data = tape.release()
-  send({ kind: 'planned', id, outcome, tape: data, last, checkpoints, score, milliseconds }, [
+  send({ kind: 'planned', id, outcome, tape: data, last, checkpoints, timeline, milliseconds }, [
     ...data.buffers,
     // Frames share what they have in common.
     ...new Set([last, ...checkpoints].flatMap(frameBuffers)),
-    score.steps.buffer,
-    score.landmarks.buffer,
+    timeline.steps.buffer,
+    timeline.landmarks.buffer,
   ])
 }
 

@@ -1,10 +1,10 @@
 import { Tape } from '../trace/tape'
 import { planningWorker } from './planning-worker'
-import { keepScore } from './score'
 import { Solver } from './solver'
 import type { Tempo } from './speeds'
 import type { Shown, State } from './state'
 import type { Store } from './store'
+import { keepTimeline } from './timeline'
 import {
   planArrived,
   planCancelled,
@@ -35,9 +35,12 @@ export function planningFor(
   const solver = new Solver(planningWorker, () => performance.now(), {
     started: () => store.update(planStarted),
     progressed: (done) => store.update((state) => planProgressed(state, done)),
-    arrived({ setup, instant }, { outcome, tape: data, last, checkpoints, score, milliseconds }) {
+    arrived(
+      { setup, instant },
+      { outcome, tape: data, last, checkpoints, timeline, milliseconds },
+    ) {
       const tape = Tape.from(data)
-      keepScore(tape, score)
+      keepTimeline(tape, timeline)
       const shown = { setup, instant, outcome, tape, last, checkpoints, milliseconds }
       store.update((state) => planArrived(state, shown, welcome(shown)))
     },

@@ -1,7 +1,7 @@
 import type { Tape } from '../trace/tape'
 import { Pace } from './pacing'
-import { scoreOf, stepAt } from './score'
 import type { Tempo } from './speeds'
+import { stepAt, timelineOf } from './timeline'
 
 /** What is being played: `time` events of the tape have happened so far. */
 export interface Played {
@@ -49,12 +49,12 @@ export class Playback {
 
 /** The first step is taken at once: whoever presses play sees that it plays. */
 function bySteps(tape: Tape, from: number, perSecond: number): (elapsed: number) => number {
-  const score = scoreOf(tape)
-  const first = stepAt(score, from) + 1
-  const last = score.steps.length - 1
+  const timeline = timelineOf(tape)
+  const first = stepAt(timeline, from) + 1
+  const last = timeline.steps.length - 1
   return (elapsed) => {
     const step = first + Math.floor((elapsed * perSecond) / 1000)
-    return step < last ? score.steps[step] : Number.POSITIVE_INFINITY
+    return step < last ? timeline.steps[step] : Number.POSITIVE_INFINITY
   }
 }
 

@@ -3,10 +3,11 @@ import type { Grid } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import type { Scene } from '../render/scene'
 import { download } from './download'
+import { tell } from './messages'
 import { plannerOf } from './setup'
 import { type State, visiblePlan } from './state'
 import type { Store } from './store'
-import { say, tell } from './transitions'
+import { say } from './transitions'
 
 /** A file as it is handed to the browser. */
 interface Saved {

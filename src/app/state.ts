@@ -5,10 +5,11 @@ import type { Frame } from '../trace/frame'
 import type { Tape } from '../trace/tape'
 import { type Comparison, noComparison } from './compare/state'
 import { emptyHistory, type History } from './history'
+import type { WithMessages } from './messages'
 import type { Preferences } from './preferences'
-import type { Place } from './score'
 import type { Setup } from './setup'
 import type { Tempo } from './speeds'
+import type { Place } from './timeline'
 
 /** A plan as it came from the worker, with the setup that it answers. */
 export interface Shown {
@@ -33,16 +34,10 @@ export type Run =
   | { readonly kind: 'cancelled' }
   | { readonly kind: 'failed'; readonly message: string }
 
-export interface Message {
-  readonly id: number
-  readonly kind: 'error' | 'note'
-  readonly text: string
-}
-
-/** What the last action did, for those who do not see it. */
+/** What the last action did, for screen readers. */
 export interface Said {
   readonly text: string
-  /** What belongs to it: what came out, the step on screen, what is known of the cursor's cell. */
+  /** What is said after it: the outcome, the step on screen, or what is known of the cursor's cell. */
   readonly followedBy: 'nothing' | 'outcome' | 'step' | 'cell'
 }
 
@@ -50,7 +45,7 @@ export interface Said {
 export const THE_END = Number.POSITIVE_INFINITY
 
 /** All that the page shows. */
-export interface State {
+export interface State extends WithMessages {
   /** On screen: during a stroke it is ahead of `committed`, which undo and Escape go back to. */
   readonly setup: Setup
   readonly committed: Setup
@@ -80,11 +75,10 @@ export interface State {
   /** The cell under the mouse; -1 if none. */
   readonly hovered: Cell
   readonly preferences: Preferences
-  readonly messages: readonly Message[]
-  /** How many there have been; the next one's id is not that of any before. */
-  readonly messagesTold: number
   readonly said: Said
 }
+
+export type Transition = (state: State) => State
 
 export function initialState(setup: Setup, preferences: Preferences): State {
   return {

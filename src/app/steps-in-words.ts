@@ -1,8 +1,8 @@
 import { explain } from '../trace/explain'
 import { placeAfter } from '../trace/landmarks'
 import { isAtEnd, type Moment } from './moment'
-import { scoreOf, stepAt } from './score'
 import { plannerOf } from './setup'
+import { stepAt, timelineOf } from './timeline'
 
 const asSentence = (text: string): string => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`
 
@@ -14,15 +14,15 @@ export function stepInWords(moment: Moment): string {
   if (isAtEnd(moment)) {
     return `${sentence(moment, tape.length - 1)} ${asSentence(outcome.reason)}`
   }
-  const score = scoreOf(tape)
-  return sentence(moment, score.steps[stepAt(score, frame.time) - 1])
+  const timeline = timelineOf(tape)
+  return sentence(moment, timeline.steps[stepAt(timeline, frame.time) - 1])
 }
 
 /** The latest landmark in words: what can be followed when steps fly by. */
 export function landmarkInWords(moment: Moment): string {
   const { shown, frame } = moment
   if (isAtEnd(moment)) return stepInWords(moment)
-  const { steps, landmarks } = scoreOf(shown.tape)
+  const { steps, landmarks } = timelineOf(shown.tape)
   const passed = placeAfter(landmarks, frame.time)
   if (passed === 0) return `${plannerOf(shown.setup).title} begins.`
   return sentence(moment, steps[placeAfter(steps, landmarks[passed - 1]) - 2])

@@ -4,13 +4,11 @@ import { fitView, keepOnScreen, type Rect, type ScreenSize, type View } from '..
 import { cursorOn, endWelcome } from './arrival'
 import * as history from './history'
 import { roomForMap } from './layout/room'
+import { tell } from './messages'
 import type { Preferences } from './preferences'
 import { isSameSetup, type Setup, withGrid } from './setup'
 import type { Tempo } from './speeds'
 import { type Shown, type State, THE_END } from './state'
-import { tell } from './telling'
-
-export { dismiss, tell } from './telling'
 
 // Transitions are pure: each makes the next state from the last one.
 

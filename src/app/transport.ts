@@ -1,7 +1,7 @@
 import { momentAfter, momentBefore, placeAfter } from '../trace/landmarks'
-import { type Score, scoreOf, stepAt } from './score'
 import { isFast, type Speed, speedInWords, tempoOf } from './speeds'
 import { type Said, type Shown, type State, THE_END, visiblePlan } from './state'
+import { stepAt, type Timeline, timelineOf } from './timeline'
 import { prefer, say } from './transitions'
 
 // Moves of the cursor on the tape of the plan. Pure, as all transitions.
@@ -17,10 +17,10 @@ function put(state: State, { tape }: Shown, time: number, said: Said): State {
   return { ...state, time: at, playing: null, kept: null, said }
 }
 
-function move(state: State, to: (score: Score, time: number) => number): State {
+function move(state: State, to: (timeline: Timeline, time: number) => number): State {
   const shown = visiblePlan(state)
   if (!shown) return say(state, 'There is no plan to step through.')
-  const time = to(scoreOf(shown.tape), timeIn(state, shown))
+  const time = to(timelineOf(shown.tape), timeIn(state, shown))
   return put(state, shown, time, SAYS_STEP())
 }
 
@@ -46,7 +46,7 @@ export const toLast = (state: State): State => move(state, () => THE_END)
 export function toStep(state: State, step: number): State {
   const shown = visiblePlan(state)
   if (!shown) return state
-  const { steps, landmarks } = scoreOf(shown.tape)
+  const { steps, landmarks } = timelineOf(shown.tape)
   const time = steps[Math.max(0, Math.min(step, steps.length - 1))]
   const isLandmark = landmarks[placeAfter(landmarks, time) - 1] === time
   return put(state, shown, time, isLandmark ? SAYS_STEP() : state.said)
@@ -79,13 +79,13 @@ export function played(state: State, time: number): State {
   if (time === state.time) return state
   const moved = { ...state, time, kept: null }
   if (isFast(state.playing)) return moved
-  const { landmarks } = scoreOf(tape)
+  const { landmarks } = timelineOf(tape)
   const hasPassed = placeAfter(landmarks, time) > placeAfter(landmarks, state.time)
   return hasPassed ? { ...moved, said: SAYS_STEP() } : moved
 }
 
 /** The number of the step on screen, and how many there are. */
 export function stepNumber(state: State, shown: Shown): { step: number; steps: number } {
-  const score = scoreOf(shown.tape)
-  return { step: stepAt(score, timeIn(state, shown)), steps: score.steps.length - 1 }
+  const timeline = timelineOf(shown.tape)
+  return { step: stepAt(timeline, timeIn(state, shown)), steps: timeline.steps.length - 1 }
 }

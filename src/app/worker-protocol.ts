@@ -3,8 +3,8 @@ import type { Outcome } from '../algorithms/plan'
 import type { Problem } from '../grid/problem'
 import type { Frame } from '../trace/frame'
 import type { TapeData } from '../trace/tape'
-import type { Score } from './score'
 import { type Setup, settingsOf } from './setup'
+import type { Timeline } from './timeline'
 
 /** What the page asks its planning worker. */
 export interface WorkerQuestion {
@@ -25,7 +25,7 @@ export type WorkerAnswer =
       readonly tape: TapeData
       readonly last: Frame
       readonly checkpoints: readonly Frame[]
-      readonly score: Score
+      readonly timeline: Timeline
       readonly milliseconds: number
     }
   | { readonly kind: 'refused'; readonly id: number; readonly message: string }

@@ -2,9 +2,9 @@ import { describe, expect, it } from 'vitest'
 import { announcement } from '../../src/app/announcer'
 import { mapAttributes } from '../../src/app/map-attributes'
 import { Moments } from '../../src/app/moment'
-import { scoreOf } from '../../src/app/score'
 import { withMark } from '../../src/app/setup'
 import type { State } from '../../src/app/state'
+import { timelineOf } from '../../src/app/timeline'
 import { mapKey } from '../../src/app/tools/keys'
 import {
   change,
@@ -89,7 +89,7 @@ describe('steps', () => {
 
   it('of the scrubber are only said at landmarks, because it says the others itself', () => {
     expect(saidAfter(toStep(start, 1), start)).toBeNull()
-    const { steps } = scoreOf(planned(start.setup).tape)
+    const { steps } = timelineOf(planned(start.setup).tape)
     expect(saidAfter(toStep(start, steps.indexOf(landmark.time)), start)).toMatch(/hit point 1/)
   })
 })

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { Pace } from '../../src/app/pacing'
 import { Playback } from '../../src/app/playback'
-import { scoreOf } from '../../src/app/score'
+import { timelineOf } from '../../src/app/timeline'
 import { EVENT } from '../../src/trace/events'
 import { frameAt } from '../../src/trace/fold'
 import { Tape } from '../../src/trace/tape'
@@ -76,7 +76,7 @@ describe('the pace', () => {
 
 describe('playing a tape', () => {
   const { tape } = planned(setupFrom('S...\n.##.\n...G', 'bug2'))
-  const { steps } = scoreOf(tape)
+  const { steps } = timelineOf(tape)
   const whole = { kind: 'whole', duration: 1000, times: 1, pause: 0, asked: true } as const
   const THE_END = Number.POSITIVE_INFINITY
 

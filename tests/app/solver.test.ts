@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it } from 'vitest'
-import { scoreOf } from '../../src/app/score'
 import { PATIENCE_MS, type PlanningWorker, Solver } from '../../src/app/solver'
+import { timelineOf } from '../../src/app/timeline'
 import type { WorkerAnswer, WorkerQuestion } from '../../src/app/worker-protocol'
 import { planned, setupFrom } from './setups'
 
@@ -20,9 +20,18 @@ class FakeWorker implements PlanningWorker {
   finish(): void {
     const { id } = this.questions[this.questions.length - 1]
     const { outcome, tape, last, checkpoints, milliseconds } = planned(base)
-    const score = scoreOf(tape)
+    const timeline = timelineOf(tape)
     const data = tape.release()
-    this.say({ kind: 'planned', id, outcome, tape: data, last, checkpoints, score, milliseconds })
+    this.say({
+      kind: 'planned',
+      id,
+      outcome,
+      tape: data,
+      last,
+      checkpoints,
+      timeline,
+      milliseconds,
+    })
   }
   say(answer: WorkerAnswer): void {
     this.onmessage?.({ data: answer })

@@ -5,10 +5,10 @@ import { codeSection } from '../../src/app/code-section'
 import { loopBegan } from '../../src/app/loop'
 import { type Moment, Moments } from '../../src/app/moment'
 import { numberInWords } from '../../src/app/numbers'
-import { scoreOf } from '../../src/app/score'
 import { plannerOf, valuesOf } from '../../src/app/setup'
 import { stepNumbers } from '../../src/app/step-numbers'
 import { landmarkInWords, stepInWords } from '../../src/app/steps-in-words'
+import { timelineOf } from '../../src/app/timeline'
 import { planArrived } from '../../src/app/transitions'
 import { toNextLandmark, toStep } from '../../src/app/transport'
 import { planned, setupFrom, stateFrom } from './setups'
@@ -80,7 +80,7 @@ describe('the words of a step', () => {
     const state = toNextLandmark(toStep(stateOf('bug2'), 0))
     const hit = stepInWords(momentAt(state))
     expect(hit).toMatch(/hit point 1/)
-    const { steps } = scoreOf(momentAt(state).shown.tape)
+    const { steps } = timelineOf(momentAt(state).shown.tape)
     const later = momentAt(toStep(state, steps.indexOf(state.time) + 2))
     expect(landmarkInWords(later)).toBe(hit)
     expect(stepInWords(later)).not.toBe(hit)
@@ -96,7 +96,7 @@ describe('the words of a step', () => {
 describe('the numbers of a step', () => {
   it.each(planners.map(({ id }) => id))('of %s stay in their places', (id) => {
     const state = stateOf(id)
-    const { steps } = scoreOf(momentAt(state).shown.tape)
+    const { steps } = timelineOf(momentAt(state).shown.tape)
     const labels = stepNumbers(momentAt(state)).map(({ label }) => label)
     expect(labels.length).toBeGreaterThan(1)
     expect(new Set(labels).size).toBe(labels.length)
@@ -120,7 +120,7 @@ describe('the numbers of a step', () => {
       const rows = stepNumbers(momentAt({ ...state, time }))
       return rows.find(({ label }) => label === 'Cell of the m-line')?.value
     }
-    const { steps } = scoreOf(momentAt(state).shown.tape)
+    const { steps } = timelineOf(momentAt(state).shown.tape)
     const seen = new Set(Array.from(steps, values))
     expect(seen).toContain('none')
     expect(seen).toContain('4')
@@ -149,7 +149,7 @@ describe('a loop', () => {
 
   it('is told at the end and one step before it, and nowhere else', () => {
     expect(moment.shown.outcome.status).toBe('loop')
-    const last = scoreOf(moment.shown.tape).steps.length - 1
+    const last = timelineOf(moment.shown.tape).steps.length - 1
     const began = Array.from({ length: last + 1 }, (_, step) =>
       loopBegan(momentAt(toStep(state, step))),
     )

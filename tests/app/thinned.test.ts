@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest'
 import { planners } from '../../src/algorithms/planners'
 import type { Moment } from '../../src/app/moment'
-import { scoreOf } from '../../src/app/score'
 import type { Shown } from '../../src/app/state'
 import { stepNumbers } from '../../src/app/step-numbers'
 import { stepInWords } from '../../src/app/steps-in-words'
 import { leftOut } from '../../src/app/thinning'
+import { timelineOf } from '../../src/app/timeline'
 import { foldWhole } from '../../src/trace/checkpoints'
 import { frameAt } from '../../src/trace/fold'
 import { Tape } from '../../src/trace/tape'
@@ -32,7 +32,7 @@ describe('a thinned tape', () => {
 
   it.each(ids)('of %s has a sentence and numbers for each of its steps', (id) => {
     const shown = thinnedPlan(id)
-    const { steps } = scoreOf(shown.tape)
+    const { steps } = timelineOf(shown.tape)
     expect(steps.length).toBeGreaterThan(2)
     for (const time of steps) {
       const moment: Moment = { shown, frame: frameAt(shown.tape, time) }

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest'
+import { dismiss, tell } from '../../src/app/messages'
 import { withMark } from '../../src/app/setup'
 import { isSettled, type State, visiblePlan } from '../../src/app/state'
 import {
@@ -8,7 +9,6 @@ import {
   changeMap,
   clearObstacles,
   commit,
-  dismiss,
   edit,
   hidePath,
   layOut,
@@ -19,7 +19,6 @@ import {
   planIsSlow,
   planStarted,
   redo,
-  tell,
   undo,
 } from '../../src/app/transitions'
 import { planned, setupFrom, stateFrom } from './setups'

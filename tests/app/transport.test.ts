@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest'
 import { cursorOn, endWelcome } from '../../src/app/arrival'
 import { Moments } from '../../src/app/moment'
-import { placeOf, scoreOf, stepAt, timeOfPlace } from '../../src/app/score'
 import { tempoOf, WELCOME } from '../../src/app/speeds'
 import { type Shown, type State, THE_END } from '../../src/app/state'
+import { placeOf, stepAt, timelineOf, timeOfPlace } from '../../src/app/timeline'
 import {
   change,
   changeMap,
@@ -40,8 +40,8 @@ function shownState(text: string, plannerId = 'bug2'): State & { readonly shown:
 
 const begin = shownState(HOOK)
 const { tape } = begin.shown
-const score = scoreOf(tape)
-const { steps, landmarks } = score
+const timeline = timelineOf(tape)
+const { steps, landmarks } = timeline
 
 describe('the cursor on the tape', () => {
   it('begins at the end', () => {
@@ -82,7 +82,7 @@ describe('the cursor on the tape', () => {
     expect(toStep(begin, 3).time).toBe(steps[3])
     expect(toStep(begin, 1e6).time).toBe(THE_END)
     expect(toStep(begin, -1).time).toBe(0)
-    expect(stepAt(score, steps[3])).toBe(3)
+    expect(stepAt(timeline, steps[3])).toBe(3)
   })
 
   it('has nowhere to go without a plan', () => {
@@ -139,15 +139,15 @@ describe('playing', () => {
 })
 
 describe('the place on another tape', () => {
-  const other = scoreOf(shownState(LONGER_HOOK).shown.tape)
+  const other = timelineOf(shownState(LONGER_HOOK).shown.tape)
 
   it('is the same place on the same tape', () => {
-    for (const time of steps) expect(timeOfPlace(score, placeOf(score, time))).toBe(time)
+    for (const time of steps) expect(timeOfPlace(timeline, placeOf(timeline, time))).toBe(time)
   })
 
   it('lies after as many landmarks and steps', () => {
     for (const time of steps.subarray(0, -1)) {
-      const place = placeOf(score, time)
+      const place = placeOf(timeline, time)
       if (place.landmarks >= other.landmarks.length) continue
       const there = placeOf(other, timeOfPlace(other, place))
       expect(there.landmarks).toBe(place.landmarks)
@@ -158,7 +158,7 @@ describe('the place on another tape', () => {
   })
 
   it('is the end if there are not so many landmarks', () => {
-    const short = scoreOf(shownState('S..\n...\n..G').shown.tape)
+    const short = timelineOf(shownState('S..\n...\n..G').shown.tape)
     expect(timeOfPlace(short, { landmarks: 5, steps: 2 })).toBe(short.steps.at(-1))
   })
 })
@@ -177,7 +177,7 @@ describe('a new plan', () => {
   it('keeps the place of a cursor in the middle', () => {
     const hit = toNextLandmark(toFirst(begin))
     const state = arrive(stepForward(stepForward(hit)))
-    const there = scoreOf(planned(longer).tape)
+    const there = timelineOf(planned(longer).tape)
     expect(placeOf(there, state.time)).toEqual({ landmarks: 1, steps: 2 })
     expect(state.playing).toBeNull()
   })

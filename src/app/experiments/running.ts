@@ -1,12 +1,12 @@
 import { countWork, type ExperimentSettings } from '../../experiments/settings'
 import { WHOLE } from '../../experiments/shards'
 import { timeLeft } from '../../experiments/time-left'
+import { tell } from '../messages'
 import type { Store } from '../store'
-import { tell } from '../telling'
-import { browserCrew } from './browser-crew'
-import type { Crew } from './crew'
+import { browserPool } from './browser-pool'
 import type { PageState } from './state'
 import { runEnded, runProgressed, runStarted } from './transitions'
+import type { WorkerPool } from './worker-pool'
 
 export interface Running {
   /** Runs what the form holds, if it can be run. */
@@ -15,21 +15,21 @@ export interface Running {
   cancel(): void
 }
 
-/** Joins the crew of workers to the state. */
+/** Joins the pool of workers to the state. */
 export function runningFor(store: Store<PageState>): Running {
-  let crew: Crew | null = null
+  let pool: WorkerPool | null = null
 
   const end = (settings: ExperimentSettings) => {
-    const rows = crew?.rows ?? []
-    crew?.stop()
-    crew = null
+    const rows = pool?.rows ?? []
+    pool?.stop()
+    pool = null
     store.update((state) => runEnded(state, { settings, shard: WHOLE, rows }))
   }
   const run = (settings: ExperimentSettings) => {
     const total = countWork(settings).maps
     const began = performance.now()
     store.update((state) => runStarted(state, total))
-    crew = browserCrew(settings, {
+    pool = browserPool(settings, {
       progressed: (done) => {
         const left = timeLeft(done, total, performance.now() - began)
         store.update((state) => runProgressed(state, done, left))
@@ -46,7 +46,7 @@ export function runningFor(store: Store<PageState>): Running {
   return {
     start() {
       const { checked } = store.state
-      if (checked.kind === 'settings' && !crew) run(checked.settings)
+      if (checked.kind === 'settings' && !pool) run(checked.settings)
     },
     cancel: () => cancel(),
   }

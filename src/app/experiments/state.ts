@@ -1,7 +1,6 @@
 import type { Results } from '../../experiments/results'
+import type { WithMessages } from '../messages'
 import type { Preferences } from '../preferences'
-import type { Message } from '../state'
-import type { Telling } from '../telling'
 import { type Draft, draftOf } from './draft'
 import { type Checked, checkDraft } from './faults'
 import { presets } from './presets'
@@ -24,7 +23,7 @@ export interface Shown {
 }
 
 /** All that the page shows. */
-export interface PageState extends Telling {
+export interface PageState extends WithMessages {
   readonly draft: Draft
   /** Grows when the whole form has to be made anew, and not while somebody types. */
   readonly formMade: number
@@ -34,8 +33,7 @@ export interface PageState extends Telling {
   /** Names of the series that the charts leave out. */
   readonly hidden: ReadonlySet<string>
   readonly preferences: Preferences
-  readonly messages: readonly Message[]
-  /** For those who do not see what happens. */
+  /** What happened last, for screen readers. */
   readonly said: string
 }
 

@@ -1,14 +1,13 @@
 import { byId, create } from '../element'
 import { icon } from '../icons'
-import type { Message } from '../state'
+import { dismiss, type Message, type WithMessages } from '../messages'
 import type { Store } from '../store'
-import { dismiss, type Telling } from '../telling'
 
 /**
  * Binds the messages at the edge of the screen: errors stay until they are closed, notes until
  * their time, which is that of an animation, is over.
  */
-export function messages<State extends Telling>(store: Store<State>): (state: State) => void {
+export function messages<State extends WithMessages>(store: Store<State>): (state: State) => void {
   const list = byId('messages', HTMLDivElement)
   const boxes = new Map<number, HTMLElement>()
 

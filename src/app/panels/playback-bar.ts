@@ -5,13 +5,13 @@ import { type IconName, setIcon } from '../icons'
 import { isAtEnd, type Moment } from '../moment'
 import { numberInWords } from '../numbers'
 import { SIGHTS } from '../preferences'
-import { type Score, scoreOf } from '../score'
 import { plannerOf } from '../setup'
 import { isFast, SPEEDS, speedInWords } from '../speeds'
 import { cellAskedAbout, type State, visiblePlan } from '../state'
 import { stepInWords } from '../steps-in-words'
 import type { Store } from '../store'
 import { leftOut } from '../thinning'
+import { type Timeline, timelineOf } from '../timeline'
 import { prefer, say } from '../transitions'
 import {
   chooseSpeed,
@@ -84,7 +84,7 @@ export function playbackBar(store: Store<State>): (state: State, moment: Moment 
     play.setAttribute('aria-label', isPlaying ? 'Pause' : 'Play')
     play.title = `${isPlaying ? 'Pause' : 'Play'} (K)`
   }
-  let ticked: Score | null = null
+  let ticked: Timeline | null = null
   const showSteps = (state: State, moment: Moment): void => {
     const { step, steps } = stepNumber(state, moment.shown)
     scrubber.max = String(steps)
@@ -94,9 +94,9 @@ export function playbackBar(store: Store<State>): (state: State, moment: Moment 
     const { briefly, words } = leftOut(moment.shown.tape.thinning)
     setText(count, `Step ${numberInWords(step)} of ${numberInWords(steps)}${briefly}`)
     count.title = words
-    const score = scoreOf(moment.shown.tape)
-    if (score !== ticked) showTicks(ticks, score)
-    ticked = score
+    const timeline = timelineOf(moment.shown.tape)
+    if (timeline !== ticked) showTicks(ticks, timeline)
+    ticked = timeline
   }
 
   // It is asked for far more often than it changes, and a long tape takes a while to be read.
@@ -139,7 +139,7 @@ function cellLine(state: State, moment: Moment | null): string {
 const MOST_TICKS = 200
 
 /** A mark on the scrubber for each landmark; of those that fall on the same spot only one. */
-function showTicks(ticks: HTMLElement, { steps, landmarks }: Score): void {
+function showTicks(ticks: HTMLElement, { steps, landmarks }: Timeline): void {
   const last = Math.max(1, steps.length - 1)
   const places = new Set<number>()
   for (const moment of landmarks) {

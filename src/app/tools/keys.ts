@@ -3,8 +3,9 @@ import { type Cell, cellName, type Grid, isInside, pointOf } from '../../grid/gr
 import { cellRect, panBy, type Rect, type ScreenSize, type View, zoomAt } from '../../render/view'
 import { cellInWords } from '../cell-line'
 import { roomForMap } from '../layout/room'
+import { tell } from '../messages'
 import { withGrid, withMark } from '../setup'
-import type { State } from '../state'
+import type { State, Transition } from '../state'
 import {
   change,
   fitToRoom,
@@ -14,7 +15,6 @@ import {
   redo,
   say,
   sayOfCell,
-  tell,
   undo,
 } from '../transitions'
 import { gripAt, paint } from './stroke'
@@ -25,8 +25,6 @@ export interface KeyPress {
   readonly command: boolean
   readonly shift: boolean
 }
-
-type Transition = (state: State) => State
 
 const ARROWS: Readonly<Record<string, Direction>> = {
   ArrowUp: 0,

@@ -1,4 +1,4 @@
-import type { State } from '../state'
+import type { Transition } from '../state'
 import {
   stepBack,
   stepForward,
@@ -16,8 +16,6 @@ import type { KeyPress } from './keys'
  * map without cursor included. In text fields and lists no key belongs to the playback.
  */
 export type KeyPlace = 'cursor' | 'scrubber' | 'button' | 'elsewhere'
-
-type Transition = (state: State) => State
 
 const EVERYWHERE: Readonly<Record<string, Transition>> = {
   k: togglePlay,

@@ -1,7 +1,11 @@
-import type { Message } from './state'
+export interface Message {
+  readonly id: number
+  readonly kind: 'error' | 'note'
+  readonly text: string
+}
 
 /** The part of a page's state that its messages are in. */
-export interface Telling {
+export interface WithMessages {
   readonly messages: readonly Message[]
   /** How many there have been; the next one's id is not that of any before. */
   readonly messagesTold: number
@@ -9,8 +13,8 @@ export interface Telling {
 
 const MOST_MESSAGES = 3
 
-/** A message on screen; the same one again takes the place of the first. */
-export function tell<State extends Telling>(
+/** Shows a message; one with the same text gives way to it. */
+export function tell<State extends WithMessages>(
   state: State,
   kind: Message['kind'],
   text: string,
@@ -21,7 +25,7 @@ export function tell<State extends Telling>(
   return { ...state, messages, messagesTold: id }
 }
 
-export const dismiss = <State extends Telling>(state: State, id: number): State => ({
+export const dismiss = <State extends WithMessages>(state: State, id: number): State => ({
   ...state,
   messages: state.messages.filter((message) => message.id !== id),
 })

@@ -5,9 +5,9 @@ import type { MapRange } from '../../experiments/shards'
 import { type AskedWorker, dismiss, listen } from '../asked-worker'
 import type { Order, Report } from './protocol'
 
-export type Hand = AskedWorker<Order, Report>
+export type PoolWorker = AskedWorker<Order, Report>
 
-export interface CrewEvents {
+export interface PoolEvents {
   /** More maps are done; their number, from the first on without a gap. */
   progressed(maps: number): void
   /** All maps are done. */
@@ -24,14 +24,14 @@ const MOST_MAPS = 64
 const MOST_AHEAD = 1000
 
 /** Workers that run the maps of one experiment. */
-export class Crew {
+export class WorkerPool {
   readonly #settings: ExperimentSettings
   readonly #total: number
-  readonly #events: CrewEvents
+  readonly #events: PoolEvents
   readonly #rows: Row[] = []
   readonly #order: InOrder<readonly Row[]>
-  readonly #idle = new Set<Hand>()
-  #hands: Hand[]
+  readonly #idle = new Set<PoolWorker>()
+  #workers: PoolWorker[]
   #next = 0
   /** What a map takes, so far. */
   #pace = { maps: 0, milliseconds: 0 }
@@ -39,9 +39,9 @@ export class Crew {
   /** @param size how many workers; no more are made than there are maps */
   constructor(
     settings: ExperimentSettings,
-    makeHand: () => Hand,
+    makeWorker: () => PoolWorker,
     size: number,
-    events: CrewEvents,
+    events: PoolEvents,
   ) {
     this.#settings = settings
     this.#total = countWork(settings).maps
@@ -50,8 +50,8 @@ export class Crew {
       for (const row of rows) this.#rows.push(row)
     })
     const count = Math.max(1, Math.min(size, this.#total))
-    this.#hands = Array.from({ length: count }, makeHand)
-    for (const hand of this.#hands) this.#start(hand)
+    this.#workers = Array.from({ length: count }, makeWorker)
+    for (const worker of this.#workers) this.#start(worker)
   }
 
   /** Of all maps from the first on without a gap: what there is to keep at any moment. */
@@ -61,26 +61,26 @@ export class Crew {
 
   /** Ends the work. The rows stay. */
   stop(): void {
-    for (const hand of this.#hands) dismiss(hand)
-    this.#hands = []
+    for (const worker of this.#workers) dismiss(worker)
+    this.#workers = []
   }
 
-  #start(hand: Hand): void {
+  #start(worker: PoolWorker): void {
     listen(
-      hand,
-      (report) => this.#hear(hand, report),
+      worker,
+      (report) => this.#hear(worker, report),
       (why) => this.#fail(why || 'a worker could not be started'),
     )
-    hand.postMessage({ kind: 'settings', settings: this.#settings })
-    this.#ask(hand)
+    worker.postMessage({ kind: 'settings', settings: this.#settings })
+    this.#ask(worker)
   }
 
-  #hear(hand: Hand, report: Report): void {
+  #hear(worker: PoolWorker, report: Report): void {
     if (report.kind === 'failed') this.#fail(report.message)
-    else this.#take(hand, report)
+    else this.#take(worker, report)
   }
 
-  #take(hand: Hand, report: Extract<Report, { kind: 'done' }>): void {
+  #take(worker: PoolWorker, report: Extract<Report, { kind: 'done' }>): void {
     const { range, rows, milliseconds } = report
     this.#pace = {
       maps: this.#pace.maps + rows.length,
@@ -96,15 +96,15 @@ export class Crew {
       this.#events.finished()
       return
     }
-    const waiting = [...this.#idle, hand]
+    const waiting = [...this.#idle, worker]
     this.#idle.clear()
     for (const one of waiting) this.#ask(one)
   }
 
-  #ask(hand: Hand): void {
+  #ask(worker: PoolWorker): void {
     const range = this.#nextRange()
-    if (range) hand.postMessage({ kind: 'maps', range })
-    else this.#idle.add(hand)
+    if (range) worker.postMessage({ kind: 'maps', range })
+    else this.#idle.add(worker)
   }
 
   #nextRange(): MapRange | null {
@@ -114,7 +114,7 @@ export class Crew {
     const { maps, milliseconds } = this.#pace
     const worth = maps === 0 ? 1 : Math.floor((RANGE_MS * maps) / Math.max(milliseconds, 1))
     // At the end there is something left for everyone.
-    const fair = Math.ceil((this.#total - first) / (2 * this.#hands.length))
+    const fair = Math.ceil((this.#total - first) / (2 * this.#workers.length))
     this.#next = first + Math.max(1, Math.min(worth, fair, left, MOST_MAPS))
     return { first, end: this.#next }
   }

@@ -1,8 +1,8 @@
 import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
-import { Crew, type Hand } from '../../../src/app/experiments/crew'
 import { presets } from '../../../src/app/experiments/presets'
 import type { Order, Report } from '../../../src/app/experiments/protocol'
+import { type PoolWorker, WorkerPool } from '../../../src/app/experiments/worker-pool'
 import type { Row } from '../../../src/experiments/row'
 import { runMap } from '../../../src/experiments/run-map'
 import { countWork, type ExperimentSettings } from '../../../src/experiments/settings'
@@ -20,9 +20,9 @@ const settings: ExperimentSettings = {
 const MAPS = countWork(settings).maps
 
 /** A worker that answers when it is told to. */
-class SlowHand implements Hand {
-  onmessage: Hand['onmessage'] = null
-  onerror: Hand['onerror'] = null
+class SlowWorker implements PoolWorker {
+  onmessage: PoolWorker['onmessage'] = null
+  onerror: PoolWorker['onerror'] = null
   readonly waiting: Order[] = []
   isEnded = false
 
@@ -56,15 +56,15 @@ function answer(order: Order): Report | null {
   return { kind: 'done', range, rows, milliseconds: 1 }
 }
 
-function crewOf(size: number) {
-  const hands: SlowHand[] = []
+function poolOf(size: number) {
+  const workers: SlowWorker[] = []
   const told: (number | string)[] = []
-  const crew = new Crew(
+  const pool = new WorkerPool(
     settings,
     () => {
-      const hand = new SlowHand()
-      hands.push(hand)
-      return hand
+      const worker = new SlowWorker()
+      workers.push(worker)
+      return worker
     },
     size,
     {
@@ -73,67 +73,67 @@ function crewOf(size: number) {
       failed: (message) => told.push(message),
     },
   )
-  return { crew, hands, told }
+  return { pool, workers, told }
 }
 
 const timeless = (rows: readonly Row[]) => rows.map(({ milliseconds: _, ...row }) => row)
 const expected = timeless(Array.from({ length: MAPS }, (_, map) => runMap(settings, map)).flat())
 
-describe('a crew of workers', () => {
+describe('a pool of workers', () => {
   it('makes the rows that one alone makes, in the same order, whoever is done first', () => {
     const schedule = fc.tuple(fc.integer({ min: 1, max: 9 }), fc.infiniteStream(fc.nat()))
     fc.assert(
       fc.property(schedule, ([size, choices]) => {
-        const { crew, hands, told } = crewOf(size)
+        const { pool, workers, told } = poolOf(size)
         for (const choice of choices) {
           if (told.includes('finished')) break
-          hands[choice % hands.length].work()
+          workers[choice % workers.length].work()
         }
-        expect(timeless(crew.rows)).toEqual(expected)
+        expect(timeless(pool.rows)).toEqual(expected)
         expect(told.at(-2)).toBe(MAPS)
-        expect(hands.every(({ isEnded }) => isEnded)).toBe(true)
+        expect(workers.every(({ isEnded }) => isEnded)).toBe(true)
       }),
       { numRuns: 30 },
     )
   })
 
   it('has, when it is stopped, the first maps without a gap, whole ones only', () => {
-    const { crew, hands, told } = crewOf(4)
-    const [late, , , never] = hands
-    for (let i = 0; i < 50; i++) for (const hand of hands.slice(1, 3)) hand.work()
-    expect(crew.rows).toEqual([])
+    const { pool, workers, told } = poolOf(4)
+    const [late, , , never] = workers
+    for (let i = 0; i < 50; i++) for (const worker of workers.slice(1, 3)) worker.work()
+    expect(pool.rows).toEqual([])
     while (late.work());
-    crew.stop()
+    pool.stop()
     // The fourth worker was given map 3 first, and nothing from there on counts.
     expect(never.waiting).toContainEqual({ kind: 'maps', range: { first: 3, end: 4 } })
-    expect(timeless(crew.rows)).toEqual(expected.filter(({ map }) => map < 3))
+    expect(timeless(pool.rows)).toEqual(expected.filter(({ map }) => map < 3))
     expect(told).toEqual([3])
-    expect(hands.every(({ isEnded }) => isEnded)).toBe(true)
+    expect(workers.every(({ isEnded }) => isEnded)).toBe(true)
   })
 
   it('never has more workers than maps, and at least one', () => {
-    expect(crewOf(1000).hands).toHaveLength(MAPS)
-    expect(crewOf(0).hands).toHaveLength(1)
+    expect(poolOf(1000).workers).toHaveLength(MAPS)
+    expect(poolOf(0).workers).toHaveLength(1)
   })
 
   it('ends with what is done when a map breaks a worker', () => {
-    const { crew, hands, told } = crewOf(2)
-    for (const hand of hands) hand.work()
-    hands[0].work()
-    const before = crew.rows.length
-    hands[1].work(() => ({ kind: 'failed', message: 'Map 1: broken' }))
+    const { pool, workers, told } = poolOf(2)
+    for (const worker of workers) worker.work()
+    workers[0].work()
+    const before = pool.rows.length
+    workers[1].work(() => ({ kind: 'failed', message: 'Map 1: broken' }))
     expect(told.at(-1)).toBe('Map 1: broken')
-    expect(crew.rows).toHaveLength(before)
+    expect(pool.rows).toHaveLength(before)
     expect(before).toBeGreaterThan(0)
-    expect(hands.every(({ isEnded }) => isEnded)).toBe(true)
+    expect(workers.every(({ isEnded }) => isEnded)).toBe(true)
   })
 
   it('says so when a worker cannot be started', () => {
-    const { hands, told } = crewOf(2)
+    const { workers, told } = poolOf(2)
     let isPrevented = false
-    hands[1].onerror?.({ preventDefault: () => (isPrevented = true) })
+    workers[1].onerror?.({ preventDefault: () => (isPrevented = true) })
     expect(told).toEqual(['a worker could not be started'])
     expect(isPrevented).toBe(true)
-    expect(hands.every(({ isEnded }) => isEnded)).toBe(true)
+    expect(workers.every(({ isEnded }) => isEnded)).toBe(true)
   })
 })
