@@ -78,11 +78,6 @@ export class Solver {
     if (this.#running) this.#replaceWorker()
   }
 
-  dispose(): void {
-    this.#dropWorker()
-    this.#waiting = null
-  }
-
   #newWorker(): PlanningWorker {
     const worker = this.#makeWorker()
     listen(

@@ -49,7 +49,8 @@ export class Picture {
 
   /** Size of the screen in CSS pixels; the next `draw` draws everything anew. */
   resize(width: number, height: number, devicePixelRatio: number): void {
-    for (const sheet of this.#sheets()) sheet.resize(width, height, devicePixelRatio)
+    const sheets = [this.#ground, this.#roadmap, this.#plan, this.#comparison, this.#marks]
+    for (const sheet of sheets) sheet.resize(width, height, devicePixelRatio)
     this.#screen = {
       width: Math.round(width * devicePixelRatio),
       height: Math.round(height * devicePixelRatio),
@@ -82,15 +83,6 @@ export class Picture {
   /** Whether vertices or edges are left out because there are too many of them on the screen. */
   get isCrowded(): boolean {
     return this.#hidesEdges || this.#hidesVertices
-  }
-
-  /** Takes the canvases out of the page. */
-  dispose(): void {
-    for (const sheet of this.#sheets()) sheet.remove()
-  }
-
-  #sheets(): Sheet[] {
-    return [this.#ground, this.#roadmap, this.#plan, this.#comparison, this.#marks]
   }
 
   /** All of it, or only around the cells that were painted. */

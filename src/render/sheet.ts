@@ -66,8 +66,4 @@ export class Sheet {
     draw()
     context.restore()
   }
-
-  remove(): void {
-    this.#canvas.remove()
-  }
 }

@@ -17,37 +17,37 @@ export interface Running {
 
 /** Joins the pool of workers to the state. */
 export function runningFor(store: Store<PageState>): Running {
-  let pool: WorkerPool | null = null
+  let running: { readonly settings: ExperimentSettings; readonly pool: WorkerPool } | null = null
 
-  const end = (settings: ExperimentSettings) => {
-    const rows = pool?.rows ?? []
-    pool?.stop()
-    pool = null
-    store.update((state) => runEnded(state, { settings, shard: WHOLE, rows }))
+  const end = () => {
+    if (!running) return
+    const { settings, pool } = running
+    running = null
+    pool.stop()
+    store.update((state) => runEnded(state, { settings, shard: WHOLE, rows: pool.rows }))
   }
   const run = (settings: ExperimentSettings) => {
     const total = countWork(settings).maps
     const began = performance.now()
     store.update((state) => runStarted(state, total))
-    pool = browserPool(settings, {
+    const pool = browserPool(settings, {
       progressed: (done) => {
         const left = timeLeft(done, total, performance.now() - began)
         store.update((state) => runProgressed(state, done, left))
       },
-      finished: () => end(settings),
+      finished: end,
       failed: (message) => {
-        end(settings)
+        end()
         store.update((state) => tell(state, 'error', `The run was broken off. ${message}.`))
       },
     })
-    cancel = () => end(settings)
+    running = { settings, pool }
   }
-  let cancel = () => {}
   return {
     start() {
       const { checked } = store.state
-      if (checked.kind === 'settings' && !pool) run(checked.settings)
+      if (checked.kind === 'settings' && !running) run(checked.settings)
     },
-    cancel: () => cancel(),
+    cancel: end,
   }
 }

@@ -15,18 +15,9 @@ const ZOOM_PER_PIXEL = 0.0015
 const ZOOM_PER_PINCHED_PIXEL = 0.01
 const PIXELS_PER_LINE = 24
 
-/**
- * Binds pointers, wheel and keys to the map: all that listens to the map is here. Returns what
- * unbinds it.
- */
-export function bindInput(
-  host: HTMLElement,
-  store: Store<State>,
-  openHelp: () => void,
-): () => void {
+/** Binds pointers, wheel and keys to the map: all that listens to the map is here. */
+export function bindInput(host: HTMLElement, store: Store<State>, openHelp: () => void): void {
   const hand = new Hand(store)
-  const bound = new AbortController()
-  const { signal } = bound
   let pressed = false
   let windowAway = false
   host.tabIndex = 0
@@ -34,7 +25,7 @@ export function bindInput(
   const on = <Type extends keyof HTMLElementEventMap>(
     type: Type,
     listener: (event: HTMLElementEventMap[Type]) => void,
-  ) => host.addEventListener(type, listener, { signal, passive: false })
+  ) => host.addEventListener(type, listener, { passive: false })
 
   on('pointerdown', (event) => {
     const button = BUTTONS[event.button]
@@ -98,58 +89,44 @@ export function bindInput(
     target === host && store.state.cursorShown ? 'cursor' : keyPlaceOf(target)
   const isOverlaid = () => document.querySelector('dialog[open], :popover-open') !== null
 
-  window.addEventListener(
-    'keydown',
-    (event) => {
-      const place = placeOfKey(event.target)
-      // What has dealt with a key has taken its usual effect away.
-      if (event.defaultPrevented || event.altKey || isOverlaid()) return
-      if (event.key === ' ') {
-        if (place === null || place === 'button') return
-        event.preventDefault()
-        if (event.repeat) return
-        hand.spaceHeld = true
-        hand.spaceUsed = false
-        host.dataset.space = 'true'
-        return
-      }
-      if (isTextField(event.target)) return
-      if (event.key === '?') openHelp()
-      const press = keyPressOf(event)
-      const transition = pageKey(press) ?? (place && playbackKey(press, place))
-      if (!transition || (event.repeat && isSwitch(press))) return
+  window.addEventListener('keydown', (event) => {
+    const place = placeOfKey(event.target)
+    // What has dealt with a key has taken its usual effect away.
+    if (event.defaultPrevented || event.altKey || isOverlaid()) return
+    if (event.key === ' ') {
+      if (place === null || place === 'button') return
       event.preventDefault()
-      store.update(transition)
-    },
-    { signal },
-  )
+      if (event.repeat) return
+      hand.spaceHeld = true
+      hand.spaceUsed = false
+      host.dataset.space = 'true'
+      return
+    }
+    if (isTextField(event.target)) return
+    if (event.key === '?') openHelp()
+    const press = keyPressOf(event)
+    const transition = pageKey(press) ?? (place && playbackKey(press, place))
+    if (!transition || (event.repeat && isSwitch(press))) return
+    event.preventDefault()
+    store.update(transition)
+  })
   const letGoOfSpace = () => {
     hand.spaceHeld = false
     delete host.dataset.space
   }
-  window.addEventListener(
-    'keyup',
-    (event) => {
-      if (event.key !== ' ' || !hand.spaceHeld) return
-      letGoOfSpace()
-      const place = placeOfKey(event.target)
-      if (hand.spaceUsed || place === null) return
-      const press = keyPressOf(event)
-      const transition = place === 'cursor' ? mapKey(press, true) : playbackKey(press, place)
-      if (transition) store.update(transition)
-    },
-    { signal },
-  )
-  window.addEventListener(
-    'blur',
-    () => {
-      letGoOfSpace()
-      windowAway = document.activeElement === host
-    },
-    { signal },
-  )
-
-  return () => bound.abort()
+  window.addEventListener('keyup', (event) => {
+    if (event.key !== ' ' || !hand.spaceHeld) return
+    letGoOfSpace()
+    const place = placeOfKey(event.target)
+    if (hand.spaceUsed || place === null) return
+    const press = keyPressOf(event)
+    const transition = place === 'cursor' ? mapKey(press, true) : playbackKey(press, place)
+    if (transition) store.update(transition)
+  })
+  window.addEventListener('blur', () => {
+    letGoOfSpace()
+    windowAway = document.activeElement === host
+  })
 }
 
 const placeOf = ({ clientX, clientY }: MouseEvent): Point => ({ x: clientX, y: clientY })
