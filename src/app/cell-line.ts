@@ -3,6 +3,7 @@ import type { Problem } from '../grid/problem'
 import { type CellFacts, cellFacts } from '../trace/cell-facts'
 import type { Moment } from './moment'
 import { countInWords, numberInWords } from './numbers'
+import { asSentence } from './sentences'
 
 /** "(7, 12), obstacle". */
 export function cellInWords(problem: Problem, cell: Cell): string {
@@ -25,7 +26,7 @@ export function cellFactsInWords({ shown, frame }: Moment, problem: Problem, cel
     ...rover(facts),
   ]
   const text = parts.join('; ')
-  return text && `${text.charAt(0).toUpperCase()}${text.slice(1)}.`
+  return text && asSentence(text)
 }
 
 function marks({ hits, leaves, onMLine, onPath }: CellFacts): string[] {

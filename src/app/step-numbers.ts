@@ -1,6 +1,7 @@
 import { cellName } from '../grid/grid'
 import type { Moment } from './moment'
 import { countInWords, numberInWords } from './numbers'
+import { capitalised } from './sentences'
 import { plannerOf } from './setup'
 import type { Row } from './words'
 
@@ -16,7 +17,6 @@ export function stepNumbers({ shown, frame }: Moment): Row[] {
   const isThinned = tape.thinning !== 'whole'
   const rows: Row[] = []
   const row = (label: string, value: string) => rows.push({ label, value })
-  const count = (value: number) => numberInWords(value)
 
   if (phases.length > 0) row('Phase', phases[frame.phase] ?? YET_UNKNOWN)
   if (last.rover >= 0) {
@@ -31,19 +31,19 @@ export function stepNumbers({ shown, frame }: Moment): Row[] {
     // Not every way to plan decides by all of them, and a thinned tape leaves their values out.
     if (last.values[i] === undefined) return
     const value = frame.values[i]
-    const label = `${name.charAt(0).toUpperCase()}${name.slice(1)}`
     // A variable's own name, such as d_reach, stays as the pseudocode writes it.
-    row(name.includes('_') ? name : label, value === undefined ? YET_UNKNOWN : valueInWords(value))
+    const label = name.includes('_') ? name : capitalised(name)
+    row(label, value === undefined ? YET_UNKNOWN : valueInWords(value))
   })
-  if (last.rows > 0) row('Rows of the graph', count(frame.rows))
+  if (last.rows > 0) row('Rows of the graph', numberInWords(frame.rows))
   if (last.vertices.length > 0) {
-    row('Vertices', count(frame.vertices.length))
-    row('Edges', count(frame.edges.length / 2))
+    row('Vertices', numberInWords(frame.vertices.length))
+    row('Edges', numberInWords(frame.edges.length / 2))
   }
   if (last.open + last.closed > 0) {
     row('Cost', frame.open + frame.closed > 0 ? numberInWords(frame.cost) : YET_UNKNOWN)
-    if (!isThinned) row('Open', count(frame.open))
-    row('Closed', count(frame.closed))
+    if (!isThinned) row('Open', numberInWords(frame.open))
+    row('Closed', numberInWords(frame.closed))
   }
   return rows
 }

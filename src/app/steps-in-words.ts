@@ -1,10 +1,9 @@
 import { explain } from '../trace/explain'
 import { placeAfter } from '../trace/landmarks'
 import { isAtEnd, type Moment } from './moment'
+import { asSentence } from './sentences'
 import { plannerOf } from './setup'
 import { stepAt, timelineOf } from './timeline'
-
-const asSentence = (text: string): string => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`
 
 /** Why the planner does what it does at this moment; at the end with the reason of the outcome. */
 export function stepInWords(moment: Moment): string {

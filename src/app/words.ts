@@ -2,6 +2,7 @@ import type { Outcome } from '../algorithms/plan'
 import { cellName } from '../grid/grid'
 import type { Status } from '../trace/events'
 import { countInWords, lengthInWords, numberInWords } from './numbers'
+import { asSentence } from './sentences'
 
 /** How good the news is: it gets its own colour and icon. */
 export type Tone = 'good' | 'proof' | 'bad'
@@ -37,7 +38,7 @@ export function outcomeInWords({ status, reason, path }: Outcome, width: number)
 /** The rest of the story, as a sentence; empty where the words have told it already. */
 export function reasonInWords({ status, reason }: Outcome): string {
   if (status === 'unreachable' || status === 'not-found' || status === 'loop') return ''
-  return `${reason.charAt(0).toUpperCase()}${reason.slice(1)}.`
+  return asSentence(reason)
 }
 
 /** Two digits that count; below the clock's resolution it says so. */

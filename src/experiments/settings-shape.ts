@@ -2,14 +2,9 @@ import * as v from 'valibot'
 import { InputError } from '../grid/errors'
 import { describe } from '../grid/excerpt'
 import { MAX_SIDE, MIN_SIDE } from '../grid/grid'
+import { MAX_SEED } from '../grid/random'
 import { DIAGONAL_RULES } from '../grid/steps'
-import {
-  type ExperimentSettings,
-  MAX_RUNS,
-  MAX_SEED,
-  SETTINGS_FORMAT,
-  SETTINGS_VERSION,
-} from './settings'
+import { type ExperimentSettings, MAX_RUNS, SETTINGS_FORMAT, SETTINGS_VERSION } from './settings'
 
 /** What each field must be, by its name: for values that are wrong and for fields that are missing. */
 const WHAT = {

@@ -10,9 +10,6 @@ export const SETTINGS_VERSION = 1
 /** The family of maps that are given in the settings as rows; all others are generators. */
 export const GIVEN_MAPS = 'maps'
 
-/** Greatest seed, the same as the page's. */
-export const MAX_SEED = 2 ** 31 - 1
-
 /** No experiment may ask for more runs: rather a message than a machine busy for weeks. */
 export const MAX_RUNS = 10_000_000
 
@@ -78,7 +75,7 @@ export interface MapKind {
 }
 
 /** All ways to choose one value from each list; the last list varies fastest. */
-export function combinations<Value>(lists: ValueLists<Value>): Record<string, Value>[] {
+function combinations<Value>(lists: ValueLists<Value>): Record<string, Value>[] {
   let chosen: Record<string, Value>[] = [{}]
   for (const [name, values] of Object.entries(lists)) {
     chosen = chosen.flatMap((one) => values.map((value) => ({ ...one, [name]: value })))
@@ -87,7 +84,7 @@ export function combinations<Value>(lists: ValueLists<Value>): Record<string, Va
 }
 
 /** How many there are, without making them. */
-export function countCombinations(lists: ValueLists<unknown>): number {
+function countCombinations(lists: ValueLists<unknown>): number {
   return Object.values(lists).reduce((product, values) => product * values.length, 1)
 }
 

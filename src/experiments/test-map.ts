@@ -1,11 +1,11 @@
 import { generators } from '../grid/generators'
 import { type Cell, type Grid, pointOf } from '../grid/grid'
 import type { Problem } from '../grid/problem'
-import { randomInteger, randomNumbers } from '../grid/random'
+import { MAX_SEED, randomInteger, randomNumbers } from '../grid/random'
 import { distance } from '../grid/simplest-path'
 import type { DiagonalRule } from '../grid/steps'
 import { gridFromRows } from '../grid/text-map'
-import { type ExperimentSettings, MAX_SEED, type MapKind, mapKinds } from './settings'
+import { type ExperimentSettings, type MapKind, mapKinds } from './settings'
 
 /** A map of an experiment, with start and goal: what all planners are run on. */
 export interface TestMap {

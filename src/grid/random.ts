@@ -1,3 +1,6 @@
+/** The greatest seed that forms and settings files take; the least is 0. */
+export const MAX_SEED = 2 ** 31 - 1
+
 /**
  * Seeded random numbers from 0 up to 1, without it, the same on every machine (splitmix32, after Steele, Lea
  * and Flood, "Fast splittable pseudorandom number generators", 2014).

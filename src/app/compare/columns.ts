@@ -1,13 +1,14 @@
 import { plannerById } from '../../algorithms/plan'
 import { lengthInWords, numberInWords } from '../numbers'
+import { compareValues } from '../sorting'
 import { timeInWords } from '../words'
 import type { ComparedPlan } from './compared'
 import type { ComparisonEntry } from './state'
 
-/** By what the table can be sorted; NaN where there is nothing to tell. */
 interface Column {
   readonly title: string
   readonly help: string
+  /** What the table is sorted by; NaN where there is no value. */
   value(entry: ComparisonEntry): number | string
   show(entry: ComparisonEntry): string
 }
@@ -104,20 +105,12 @@ export interface SortOrder {
   readonly descending: boolean
 }
 
-/** Sorted by a column; those of which there is nothing to tell come last either way. */
+/** Sorted by a column; entries without a value there come last in either direction. */
 export function sortEntries(
   entries: readonly ComparisonEntry[],
   order: SortOrder | null,
 ): readonly ComparisonEntry[] {
   if (!order) return entries
   const { value } = COLUMNS[order.column]
-  const sign = order.descending ? -1 : 1
-  return entries.toSorted((a, b) => {
-    const [first, second] = [value(a), value(b)]
-    if (typeof first === 'string' || typeof second === 'string') {
-      return sign * String(first).localeCompare(String(second), 'en')
-    }
-    const missing = Number(Number.isNaN(first)) - Number(Number.isNaN(second))
-    return missing || sign * (first - second) || 0
-  })
+  return entries.toSorted((a, b) => compareValues(value(a), value(b), order.descending))
 }

@@ -1,3 +1,5 @@
+import { quantilesOf } from '../../experiments/summary/statistics'
+
 /** A reading this long is many ticks of a browser's clock, of which one may be 0.1 ms. */
 const LEAST_READING_MS = 1
 const LEAST_READINGS = 5
@@ -26,13 +28,6 @@ export function medianTime(run: () => void, now: () => number): number {
     }
     readings.push((to - from) / runsAtOnce)
     const isEnough = readings.length >= LEAST_READINGS && spent >= ENOUGH_MS
-    if (isEnough || spent >= MOST_MS) return median(readings)
+    if (isEnough || spent >= MOST_MS) return quantilesOf(readings).median
   }
-}
-
-/** The middle one, or the mean of the two in the middle. @param values at least one */
-export function median(values: readonly number[]): number {
-  const sorted = values.toSorted((a, b) => a - b)
-  const middle = Math.floor(sorted.length / 2)
-  return sorted.length % 2 === 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2
 }

@@ -1,4 +1,5 @@
 import { type Generator, generators } from '../../grid/generators'
+import { MAX_SEED } from '../../grid/random'
 import { byId, create, setText } from '../element'
 import { type NumberField, numberField } from '../panels/fields'
 import type { State } from '../state'
@@ -7,10 +8,6 @@ import { attempt, changeMap } from '../transitions'
 import { formOf, newDialog } from './dialog'
 import markup from './generate.html?raw'
 import { sizeFields } from './size-fields'
-
-const MOST_SEEDS = 2 ** 31 - 1
-const nothing = () => {}
-const ignored = { edited: nothing, done: nothing }
 
 /** Makes the dialog of the map generators; returns what opens it. */
 export function generateDialog(store: Store<State>): () => void {
@@ -23,18 +20,15 @@ export function generateDialog(store: Store<State>): () => void {
   byId('generate-size', HTMLDivElement).append(...size.elements)
   for (const { id, title } of generators) kind.append(create('option', { value: id }, title))
 
-  const seed = numberField(
-    {
-      id: 'generate-seed-value',
-      kind: 'integer',
-      label: 'Seed',
-      unit: '',
-      min: 0,
-      max: MOST_SEEDS,
-      help: 'The same seed gives the same map.',
-    },
-    ignored,
-  )
+  const seed = numberField({
+    id: 'generate-seed-value',
+    kind: 'integer',
+    label: 'Seed',
+    unit: '',
+    min: 0,
+    max: MAX_SEED,
+    help: 'The same seed gives the same map.',
+  })
   byId('generate-seed', HTMLDivElement).prepend(seed.element)
   const throwDice = () => {
     const [number] = crypto.getRandomValues(new Uint32Array(1))
@@ -50,7 +44,7 @@ export function generateDialog(store: Store<State>): () => void {
     setText(help, generator.help)
     fields = new Map(
       generator.params.map((param) => {
-        const field = numberField({ ...param, id: `generate-${param.name}` }, ignored)
+        const field = numberField({ ...param, id: `generate-${param.name}` })
         field.show(param.default)
         return [param.name, field]
       }),

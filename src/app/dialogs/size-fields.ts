@@ -1,10 +1,6 @@
+import type { Size } from '../../grid/generators'
 import { MAX_SIDE, MIN_SIDE } from '../../grid/grid'
 import { type NumberField, numberField } from '../panels/fields'
-
-export interface Size {
-  readonly width: number
-  readonly height: number
-}
 
 export interface SizeFields {
   readonly elements: readonly HTMLElement[]
@@ -13,23 +9,18 @@ export interface SizeFields {
   check(): Size | null
 }
 
-const nothing = () => {}
-
 /** The two fields of a map's size. */
 export function sizeFields(prefix: string): SizeFields {
   const side = (name: string, label: string): NumberField =>
-    numberField(
-      {
-        id: `${prefix}-${name}`,
-        kind: 'integer',
-        label,
-        unit: 'cells',
-        min: MIN_SIDE,
-        max: MAX_SIDE,
-        help: '',
-      },
-      { edited: nothing, done: nothing },
-    )
+    numberField({
+      id: `${prefix}-${name}`,
+      kind: 'integer',
+      label,
+      unit: 'cells',
+      min: MIN_SIDE,
+      max: MAX_SIDE,
+      help: '',
+    })
   const width = side('width', 'Width')
   const height = side('height', 'Height')
   return {

@@ -2,6 +2,7 @@ import { countWork, type ExperimentSettings } from '../../experiments/settings'
 import { checkSettings } from '../../experiments/settings-check'
 import { InputError } from '../../grid/errors'
 import { numberInWords } from '../numbers'
+import { capitalised } from '../sentences'
 import { type Draft, valueIn } from './draft'
 
 /** What is wrong with the settings, and where: "planners[2].params.samples[0]". */
@@ -33,10 +34,10 @@ export function checkDraft(draft: Draft): Checked {
 }
 
 /** Messages of the check begin with the field that they are about. */
-export function faultIn(message: string): Fault {
+function faultIn(message: string): Fault {
   const [, field, text] = /^([a-z]+(?:\.\w+|\[\d+\])*): (.*)$/is.exec(message) ?? []
   if (field === undefined) return { field: '', text: message }
-  return { field, text: text.charAt(0).toUpperCase() + text.slice(1) }
+  return { field, text: capitalised(text) }
 }
 
 /** The one of the fields that a fault is shown at: its own, or the nearest that it lies within. */

@@ -1,6 +1,8 @@
 import type { Param, ParamValue } from '../../algorithms/params'
 import type { GeneratorParam } from '../../grid/generators'
 import { create, setText } from '../element'
+import type { Described } from '../panels/fields'
+import { choiceInWords } from '../sentences'
 import type { List } from './draft'
 
 /** A field of the form that can say what is wrong with it. */
@@ -11,15 +13,9 @@ export interface FaultyField {
   focus(): void
 }
 
-export interface FieldWords {
-  readonly id: string
-  readonly label: string
-  readonly help: string
-}
-
 /** A line of text: one number, or several with commas. */
 export function textField(
-  { id, label, help }: FieldWords,
+  { id, label, help }: Described,
   value: string,
   placeholder: string,
   typed: (text: string) => void,
@@ -55,8 +51,8 @@ export function textField(
 }
 
 /** Choices to be ticked; with none ticked the default holds. */
-export function ticksField(
-  { id, label, help }: FieldWords,
+function ticksField(
+  { id, label, help }: Described,
   choices: readonly { readonly value: ParamValue; readonly name: string }[],
   ticked: readonly ParamValue[],
   changed: (ticked: ParamValue[]) => void,
@@ -103,7 +99,7 @@ export function paramField(
   switch (param.kind) {
     case 'choice': {
       const help = `${param.help} Without a tick: ${param.default}.`
-      const choices = param.choices.map((value) => ({ value, name: inWords(value) }))
+      const choices = param.choices.map((value) => ({ value, name: choiceInWords(value) }))
       return ticksField({ ...param, id, help }, choices, ticked, changed)
     }
     case 'boolean': {
@@ -119,7 +115,3 @@ export function paramField(
     }
   }
 }
-
-/** "no-path" → "No path". */
-const inWords = (choice: string): string =>
-  choice.charAt(0).toUpperCase() + choice.slice(1).replaceAll('-', ' ')

@@ -4,6 +4,7 @@ import { seriesOf } from '../../experiments/summary/groups'
 import { distributionOf } from '../../experiments/summary/ratios'
 import { quantilesOf } from '../../experiments/summary/statistics'
 import { successOf } from '../../experiments/summary/success'
+import { compareValues } from '../sorting'
 
 /** What came of one planner setting, over all maps. */
 export interface SummaryRow {
@@ -38,22 +39,14 @@ export function summarize(settings: ExperimentSettings, rows: readonly Row[]): S
   })
 }
 
-export type SummaryKey = Exclude<keyof SummaryRow, 'failures'> | 'failures'
+export type SummaryKey = keyof SummaryRow
 
-/** Sorted by a column; what there is no number of comes last either way. */
+/** Sorted by a column; rows without a number there come last in either direction. */
 export function sortSummary(
   rows: readonly SummaryRow[],
   key: SummaryKey,
   descending: boolean,
 ): SummaryRow[] {
   const value = (row: SummaryRow) => (key === 'failures' ? row.failures.length : row[key])
-  const sign = descending ? -1 : 1
-  return [...rows].sort((a, b) => {
-    const [first, second] = [value(a), value(b)]
-    if (typeof first === 'string' || typeof second === 'string') {
-      return sign * String(first).localeCompare(String(second), 'en', { numeric: true })
-    }
-    const missing = Number(Number.isNaN(first)) - Number(Number.isNaN(second))
-    return missing || sign * (first - second) || 0
-  })
+  return rows.toSorted((a, b) => compareValues(value(a), value(b), descending))
 }

@@ -1,7 +1,9 @@
 import { create, setText } from '../element'
 import { boundsInWords, type NumberRule, parseNumber } from '../parse-number'
+import { choiceInWords } from '../sentences'
 
-interface Described {
+/** What every field says of itself. */
+export interface Described {
   readonly id: string
   readonly label: string
   /** One line of explanation; may be empty. */
@@ -44,7 +46,10 @@ export interface NumberField extends Field<number | undefined> {
   setAutomatic(text: string): void
 }
 
-export function numberField(settings: NumberFieldSettings, events: NumberFieldEvents): NumberField {
+export function numberField(
+  settings: NumberFieldSettings,
+  events: Partial<NumberFieldEvents> = {},
+): NumberField {
   const { id, kind, min, max, unit, label } = settings
   const isOptional = settings.automatic !== undefined
   const input = create('input', {
@@ -80,9 +85,9 @@ export function numberField(settings: NumberFieldSettings, events: NumberFieldEv
     showFault(fault)
     if (fault) return
     shown = value
-    events.edited(value)
+    events.edited?.(value)
   })
-  input.addEventListener('change', () => events.done())
+  input.addEventListener('change', () => events.done?.())
 
   return {
     element,
@@ -123,10 +128,6 @@ export function choiceField(
     },
   }
 }
-
-/** "no-path" → "No path". */
-const choiceInWords = (choice: string): string =>
-  choice.charAt(0).toUpperCase() + choice.slice(1).replaceAll('-', ' ')
 
 export function switchField(settings: Described, switched: (on: boolean) => void): Field<boolean> {
   const { id, label, help } = settings

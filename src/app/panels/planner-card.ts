@@ -1,5 +1,6 @@
 import { planners } from '../../algorithms/planners'
-import type { DiagonalRule } from '../../grid/steps'
+import { MAX_SEED } from '../../grid/random'
+import { DIAGONAL_RULES } from '../../grid/steps'
 import { DIAGONAL_RULE_WORDS } from '../diagonal-rules'
 import { byId, create, setText } from '../element'
 import { plannerOf, type Setup, withDiagonal, withSettings } from '../setup'
@@ -32,8 +33,8 @@ export function plannerCard(store: Store<State>, openAbout: () => void): (state:
     }
     select.append(group)
   }
-  for (const [rule, { title: name }] of Object.entries(DIAGONAL_RULE_WORDS)) {
-    diagonal.append(create('option', { value: rule }, name))
+  for (const rule of DIAGONAL_RULES) {
+    diagonal.append(create('option', { value: rule }, DIAGONAL_RULE_WORDS[rule].title))
   }
 
   const seed = numberField(
@@ -43,7 +44,7 @@ export function plannerCard(store: Store<State>, openAbout: () => void): (state:
       label: 'Seed',
       unit: '',
       min: 0,
-      max: 2 ** 31 - 1,
+      max: MAX_SEED,
       help: 'Decides what is drawn by lot: the same seed gives the same plan.',
     },
     {
@@ -74,9 +75,8 @@ export function plannerCard(store: Store<State>, openAbout: () => void): (state:
     })
   })
   diagonal.addEventListener('change', () => {
-    const rule = Object.keys(DIAGONAL_RULE_WORDS).find(
-      (name) => name === diagonal.value,
-    ) as DiagonalRule
+    const rule = DIAGONAL_RULES.find((name) => name === diagonal.value)
+    if (!rule) return
     const text = `Diagonal steps: ${DIAGONAL_RULE_WORDS[rule].title}.`
     store.update((state) => change(state, withDiagonal(state.setup, rule), text))
   })
