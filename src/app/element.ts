@@ -21,7 +21,21 @@ export function create<Tag extends keyof HTMLElementTagNameMap>(
   return element
 }
 
-/** Sets the text only where it differs, so that nobody is told twice. */
+const SVG = 'http://www.w3.org/2000/svg'
+
+/** A new element of a drawing. */
+export function createSvg<Tag extends keyof SVGElementTagNameMap>(
+  tag: Tag,
+  attributes: Readonly<Record<string, string>> = {},
+  ...children: readonly Node[]
+): SVGElementTagNameMap[Tag] {
+  const element = document.createElementNS(SVG, tag)
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value)
+  element.append(...children)
+  return element
+}
+
+/** Sets the text only if it differs, so that screen readers do not say it twice. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text
 }

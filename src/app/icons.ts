@@ -39,6 +39,7 @@ import {
   mdiWeatherNight,
   mdiWeatherSunny,
 } from '@mdi/js'
+import { createSvg } from './element'
 
 /** Outlines of 24 × 24 icons by the name that `data-icon` gives. */
 const ICONS = {
@@ -86,15 +87,11 @@ const ICONS = {
 
 export type IconName = keyof typeof ICONS
 
-const SVG = 'http://www.w3.org/2000/svg'
-
 const isIconName = (name: string | undefined): name is IconName =>
   name !== undefined && name in ICONS
 
 export function icon(name: IconName): SVGSVGElement {
-  const svg = document.createElementNS(SVG, 'svg')
-  svg.classList.add('icon')
-  svg.setAttribute('aria-hidden', 'true')
+  const svg = createSvg('svg', { class: 'icon', 'aria-hidden': 'true' })
   setIcon(svg, name)
   return svg
 }
@@ -103,9 +100,7 @@ export function setIcon(svg: SVGSVGElement, name: IconName): void {
   if (svg.dataset.icon === name && svg.firstChild) return
   svg.dataset.icon = name
   svg.setAttribute('viewBox', '0 0 24 24')
-  const path = document.createElementNS(SVG, 'path')
-  path.setAttribute('d', ICONS[name])
-  svg.replaceChildren(path)
+  svg.replaceChildren(createSvg('path', { d: ICONS[name] }))
 }
 
 /** Draws the icons that the page names with `data-icon`. */

@@ -4,14 +4,15 @@ import { type Said, type Shown, type State, THE_END, visiblePlan } from './state
 import { stepAt, type Timeline, timelineOf } from './timeline'
 import { prefer, say } from './transitions'
 
-// Moves of the cursor on the tape of the plan. Pure, as all transitions.
+// Moves of the cursor on the tape of the plan; all are transitions.
 
-const SAYS_STEP = (): Said => ({ text: '', followedBy: 'step' })
+/** A new object each time, because the same one would not be said again. */
+const sayStep = (): Said => ({ text: '', followedBy: 'step' })
 
 /** How many events of the plan on screen have happened. */
 const timeIn = (state: State, { tape }: Shown): number => Math.min(state.time, tape.length)
 
-/** The cursor put to a moment by hand: it stays there. */
+/** The cursor put to a moment by the user: it stays there. */
 function put(state: State, { tape }: Shown, time: number, said: Said): State {
   const at = time < tape.length ? time : THE_END
   return { ...state, time: at, playing: null, kept: null, said }
@@ -21,7 +22,7 @@ function move(state: State, to: (timeline: Timeline, time: number) => number): S
   const shown = visiblePlan(state)
   if (!shown) return say(state, 'There is no plan to step through.')
   const time = to(timelineOf(shown.tape), timeIn(state, shown))
-  return put(state, shown, time, SAYS_STEP())
+  return put(state, shown, time, sayStep())
 }
 
 export const stepForward = (state: State): State =>
@@ -40,21 +41,25 @@ export const toFirst = (state: State): State => move(state, () => 0)
 
 export const toLast = (state: State): State => move(state, () => THE_END)
 
-/**
- * To the step of this number. Only landmarks are said: the control that is moved says the steps.
- */
+/** To the step of this number. It is said only at landmarks: the scrubber says each step itself. */
 export function toStep(state: State, step: number): State {
   const shown = visiblePlan(state)
   if (!shown) return state
   const { steps, landmarks } = timelineOf(shown.tape)
   const time = steps[Math.max(0, Math.min(step, steps.length - 1))]
   const isLandmark = landmarks[placeAfter(landmarks, time) - 1] === time
-  return put(state, shown, time, isLandmark ? SAYS_STEP() : state.said)
+  return put(state, shown, time, isLandmark ? sayStep() : state.said)
 }
+
+/** To the step of this number, which is said. */
+export const jumpToStep = (state: State, step: number): State => ({
+  ...toStep(state, step),
+  said: sayStep(),
+})
 
 /** Plays on, from the beginning if the end is reached; or stops where it is. */
 export function togglePlay(state: State): State {
-  if (state.playing) return { ...state, playing: null, said: SAYS_STEP() }
+  if (state.playing) return { ...state, playing: null, said: sayStep() }
   const shown = visiblePlan(state)
   if (!shown) return say(state, 'There is no plan to play.')
   const time = state.time < shown.tape.length ? state.time : 0
@@ -74,14 +79,14 @@ export function played(state: State, time: number): State {
   const { tape } = shown
   if (time >= tape.length) {
     const isAsked = state.playing.kind === 'steps' || state.playing.asked
-    return put(state, shown, THE_END, isAsked ? SAYS_STEP() : state.said)
+    return put(state, shown, THE_END, isAsked ? sayStep() : state.said)
   }
   if (time === state.time) return state
   const moved = { ...state, time, kept: null }
   if (isFast(state.playing)) return moved
   const { landmarks } = timelineOf(tape)
   const hasPassed = placeAfter(landmarks, time) > placeAfter(landmarks, state.time)
-  return hasPassed ? { ...moved, said: SAYS_STEP() } : moved
+  return hasPassed ? { ...moved, said: sayStep() } : moved
 }
 
 /** The number of the step on screen, and how many there are. */

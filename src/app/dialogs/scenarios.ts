@@ -1,5 +1,5 @@
 import { plannerById } from '../../algorithms/plan'
-import { byId, create } from '../element'
+import { byId, create, createSvg } from '../element'
 import { type Scenario, withScenario } from '../scenario'
 import { scenarios } from '../scenarios'
 import type { State } from '../state'
@@ -31,24 +31,17 @@ export function scenariosDialog(store: Store<State>): () => void {
   return () => element.showModal()
 }
 
-const SVG = 'http://www.w3.org/2000/svg'
-
 /** A small picture of a map. */
 function thumbnail({ problem }: Scenario): SVGSVGElement {
   const { grid, start, goal } = problem
   const { width } = grid
   const square = (cell: number) => `M${cell % width} ${Math.floor(cell / width)}h1v1h-1z`
   const walls = [...grid.walls.keys()].filter((cell) => grid.walls[cell] === 1)
-  const svg = document.createElementNS(SVG, 'svg')
-  svg.setAttribute('viewBox', `0 0 ${width} ${grid.height}`)
-  svg.setAttribute('aria-hidden', 'true')
-  svg.classList.add('thumbnail')
-  const shapes = { walls: walls.map(square).join(''), start: square(start), goal: square(goal) }
-  for (const [name, outline] of Object.entries(shapes)) {
-    const path = document.createElementNS(SVG, 'path')
-    path.setAttribute('d', outline)
-    path.classList.add(`thumbnail-${name}`)
-    svg.append(path)
-  }
-  return svg
+  return createSvg(
+    'svg',
+    { class: 'thumbnail', viewBox: `0 0 ${width} ${grid.height}`, 'aria-hidden': 'true' },
+    createSvg('path', { class: 'thumbnail-walls', d: walls.map(square).join('') }),
+    createSvg('path', { class: 'thumbnail-start', d: square(start) }),
+    createSvg('path', { class: 'thumbnail-goal', d: square(goal) }),
+  )
 }
