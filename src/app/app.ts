@@ -82,8 +82,8 @@ function panels(
 }
 
 /**
- * A plan that arrives is played; at once while the pointer is down, and if motion is unwelcome. Who
- * follows a link comes to see how it ended.
+ * How a plan that arrives is played. `null` shows its end at once: while the pointer is down, if the
+ * user prefers less motion, and for the setup of a link, because that shows how it ended.
  */
 function welcomes(
   store: Store<State>,

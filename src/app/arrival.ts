@@ -2,7 +2,7 @@ import type { Tempo } from './speeds'
 import { type Shown, type State, THE_END } from './state'
 import { placeOf, timelineOf, timeOfPlace } from './timeline'
 
-/** What is played because a plan is new comes to its end at once. */
+/** If the whole plan is being played, it comes to its end at once. */
 export function endWelcome(state: State): State {
   const { playing } = state
   return playing?.kind === 'whole' ? { ...state, time: THE_END, playing: null } : state
@@ -11,10 +11,10 @@ export function endWelcome(state: State): State {
 type Cursor = Pick<State, 'time' | 'playing' | 'kept'>
 
 /**
- * Where the cursor is on a plan that takes the place of the one before. In the middle it stays
- * after the same landmark, by the place where it was put: not by that where it came to lie on plans
- * in between. At the end the new plan is played.
- * @param welcome how; `null` if it is to be shown at once
+ * Where the cursor is on a new plan. If it was at the end, the new plan is played to its end. In the
+ * middle it stays after the same landmark and as many steps. What counts then is the place where the
+ * user put it, not the places where it came to lie on plans in between.
+ * @param welcome how a new plan is played; `null` if its end is to be shown at once
  */
 export function cursorOn(state: State, shown: Shown, welcome: Tempo | null): Cursor {
   const before = state.shown

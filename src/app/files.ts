@@ -9,7 +9,7 @@ import { changeMap } from './transitions'
 /** More than any map needs; a larger file is not even read. */
 const MOST_BYTES = 64 * 2 ** 20
 
-/** Opens the map in a file. What is wrong with it is said; the map on screen stays. */
+/** Opens the map in a file. If that fails, a message says why, and the map on screen stays. */
 async function openFile(store: Store<State>, file: File): Promise<void> {
   try {
     if (file.size > MOST_BYTES) {

@@ -4,8 +4,8 @@ import type { Store } from './store'
 const PATIENCE_MS = 250
 
 /**
- * Opens the page once its first plan is there, or when that is late: to lay the page out and to draw
- * it without the plan first takes a slow machine longer than most plans.
+ * Opens the page together with its first plan, or without it if that is late: on a slow machine most
+ * plans take less time than to lay out and draw the page twice.
  */
 export function oncePlanned(store: Store<State>, open: () => void): void {
   const go = () => {

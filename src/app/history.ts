@@ -33,7 +33,7 @@ function pack(setup: Setup): Entry {
   return { setup: { ...setup, problem }, width: grid.width, height: grid.height, bits }
 }
 
-/** `like` lends its obstacles if they are the same, so that undoing a parameter copies no map. */
+/** If `like` has the same obstacles they are shared, so that undoing a parameter copies no map. */
 function unpack({ setup, width, height, bits }: Entry, like: Setup): Setup {
   const { walls } = like.problem.grid
   const same = packed.get(walls) === bits

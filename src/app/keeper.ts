@@ -9,8 +9,8 @@ const REFUSED =
   'This browser keeps nothing for the next visit: its storage is full or not allowed. Save the map to keep it.'
 
 /**
- * Keeps what is drawn for the next visit: a moment after the last change, and when the page goes.
- * That nothing can be kept is said once.
+ * Keeps what is drawn for the next visit: a moment after the last change, and when the page is left.
+ * If nothing can be kept, that is said once.
  */
 export function keep(store: Store<State>, shelf: Shelf | null): void {
   let timer: ReturnType<typeof setTimeout> | undefined

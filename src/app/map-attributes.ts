@@ -2,8 +2,8 @@ import { cellName } from '../grid/grid'
 import { isSettled, type State, visiblePlan } from './state'
 
 /**
- * What the map's element says of itself, so that cells can be found on the screen and the state be
- * known without looking at pixels.
+ * Data attributes of the map's element, so that tests find cells on the screen and know the state
+ * without looking at pixels.
  */
 export function mapAttributes(state: State): Record<string, string> {
   const { view, setup, run, cursor, cursorShown, playing } = state
@@ -27,7 +27,7 @@ export function mapAttributes(state: State): Record<string, string> {
   }
 }
 
-/** The outcome of the setup on screen; before it is there and without one, why it is not. */
+/** The outcome of the setup on screen, or why there is none. */
 function statusOf(state: State): string {
   if (state.run.kind === 'cancelled' || state.run.kind === 'failed') return state.run.kind
   if (!isSettled(state) || !state.shown) return 'planning'

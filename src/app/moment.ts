@@ -21,7 +21,7 @@ export class Moments {
     return { shown, frame: this.#playerOf(shown).moveTo(state.time) }
   }
 
-  /** Goes on looking for the moment of a state, for so long as there is time; says whether it is found. */
+  /** Goes on looking for the moment of a state while there is time; returns whether it is found. */
   seek(state: State, isTimeUp: () => boolean): boolean {
     const shown = visiblePlan(state)
     if (!shown || state.time >= shown.tape.length) return true

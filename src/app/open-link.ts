@@ -6,7 +6,7 @@ import type { State } from './state'
 import type { Store } from './store'
 import { changeMap } from './transitions'
 
-/** The setup that an address names, opened above what was drawn: undo leads back to that. */
+/** Opens the setup that an address names; undo leads back to what was drawn before. */
 export function openLink(state: State, hash: string): State {
   try {
     const setup = setupInLink(hash)
@@ -20,9 +20,9 @@ export function openLink(state: State, hash: string): State {
 }
 
 /**
- * Opens the link in the address, now and whenever it changes. The address keeps it until the first
- * edit, so that a reload opens it again, but never in place of what was drawn since.
- * @returns whether a setup is that of the link, unchanged
+ * Opens the link in the address, now and whenever it changes. The link stays in the address until the
+ * first edit: a reload opens it again, but never instead of what was drawn since.
+ * @returns a function that says whether a setup is that of the link, unchanged
  */
 export function bindLink(store: Store<State>): (setup: Setup) => boolean {
   let linked: Setup | null = null

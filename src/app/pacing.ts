@@ -1,7 +1,7 @@
 import { EVENT } from '../trace/events'
 import type { Tape } from '../trace/tape'
 
-/** Share of the time that belongs to search and fields, if something moves after them. */
+/** Share of the time for searches and fields, if something moves after them. */
 const SEARCH_SHARE = 0.45
 
 const MOVES: ReadonlySet<number> = new Set([EVENT.step, EVENT.path])
@@ -43,7 +43,7 @@ export class Pace {
     for (const kind of MOVES) this.#weights[kind] = (1 - searchShare) / Math.max(1, moves)
   }
 
-  /** What share of the time is over after so many events. It is begun there. */
+  /** Begins after so many events. Returns what share of the time is over by then. */
   beginAt(time: number): number {
     this.#time = 0
     this.#done = 0
@@ -51,7 +51,7 @@ export class Pace {
     return this.#done
   }
 
-  /** How many events have happened when `share` of the time is over. Asked with rising shares only. */
+  /** How many events have happened when `share` of the time is over. Shares must not fall. */
   timeAt(share: number): number {
     const { length } = this.#tape
     if (share >= 1) this.#time = length

@@ -7,7 +7,7 @@ export type ParsedNumber =
   | { readonly kind: 'empty' }
   | { readonly kind: 'fault'; readonly text: string }
 
-/** What a number field holds. Whether it may be empty is for the field to say. */
+/** What a number field holds. Whether it may be empty is up to the field. */
 export function parseNumber(text: string, rule: NumberRule): ParsedNumber {
   if (text.trim() === '') return { kind: 'empty' }
   const value = Number(text)
@@ -16,7 +16,7 @@ export function parseNumber(text: string, rule: NumberRule): ParsedNumber {
   return fault ? { kind: 'fault', text: `${fault}.` } : { kind: 'number', value }
 }
 
-/** What has to be entered: also the words for an empty field that must not be empty. */
+/** What has to be entered; also shown at an empty field that must not be empty. */
 export function boundsInWords({ kind, min, max }: NumberRule): string {
   const number = kind === 'integer' ? 'a whole number' : 'a number'
   return `Enter ${number} from ${min} to ${max}.`

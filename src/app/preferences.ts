@@ -7,7 +7,7 @@ export type ThemeChoice = (typeof THEME_CHOICES)[number]
 
 export const SIGHTS = ['both', 'world', 'known'] as const satisfies readonly Sight[]
 
-/** What the user likes and undo leaves alone. */
+/** How the user likes the page; undo leaves it as it is. */
 export interface Preferences {
   readonly theme: ThemeChoice
   readonly showPotential: boolean

@@ -50,7 +50,7 @@ async function pictureFile({ setup }: State, scene: Scene, kind: 'png' | 'svg'):
   return { name, content }
 }
 
-/** How to save, by the name of the menu's entry. What goes wrong is told. */
+/** What saves, by the name of the menu's entry. If it fails, a message says why. */
 export function savers(store: Store<State>, sceneNow: () => Scene) {
   const save = (files: (state: State) => Promise<readonly Saved[]>) => () => {
     void files(store.state).then(

@@ -15,7 +15,7 @@ export function sceneOf(state: State, moment: Moment | null, isDark: boolean): S
     plan: moment && { tape: moment.shown.tape, frame: moment.frame },
     sensorRange: sensorRangeOf(shown?.setup ?? setup),
     sight: preferences.sight,
-    // Where there is none, nothing need look for it in a long tape.
+    // Only if there are any: a long tape takes a while to be searched for them.
     showPotential: preferences.showPotential && shown !== undefined && shown.last.field !== null,
     comparison: comparedPaths(state),
     cursor: cursorShown ? cursor : -1,

@@ -20,7 +20,7 @@ export interface SolverEvents {
 
 /** How long a plan that nobody wants any more may go on before its worker is given up. */
 export const PATIENCE_MS = 100
-/** It grows while one run after the other is given up in a stroke: beginning anew is work too. */
+/** Patience grows with each run that is given up in a stroke: to begin anew takes time as well. */
 const MOST_PATIENCE_MS = 16 * PATIENCE_MS
 
 /**
@@ -94,7 +94,7 @@ export class Solver {
     this.#running = null
   }
 
-  /** The new one is made at once, so that it is warm when it is asked. */
+  /** The new one is made at once, so that it has started by the time it is asked. */
   #replaceWorker(): void {
     this.#dropWorker()
     this.#worker = this.#newWorker()
@@ -128,7 +128,7 @@ export class Solver {
 
   #broke(message: string): void {
     const running = this.#running
-    // None that is warm: what broke this one may break the next one too, and so on for ever.
+    // No new one is made before it is needed: what broke this one might break each of them.
     this.#dropWorker()
     if (running) this.#events.failed(running.request, message)
     this.#startWaiting()

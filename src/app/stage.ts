@@ -13,9 +13,9 @@ import { played } from './transport'
 /** Shows a state, and the plan at the moment at which its cursor stands. */
 export type Panel = (state: State, moment: Moment | null) => void
 
-/** How long a frame may be painted on: what is left of a large map comes in the next one. */
+/** So long may be painted in one frame: what is left of a large map is painted in the next ones. */
 const PAINTING_MS = 4
-/** And how long a moment may be looked for that lies far away on its tape. */
+/** So long may be looked in one frame for a moment that lies far away on its tape. */
 const SEEKING_MS = 6
 
 /**
@@ -56,7 +56,7 @@ export class Stage {
     })
   }
 
-  /** The first frame comes next; there is none before. */
+  /** From now on there are frames. */
   open(panels: readonly Panel[]): void {
     this.#panels = panels
     this.#isOpen = true
@@ -101,8 +101,8 @@ export class Stage {
   }
 
   /**
-   * Whether the moment is to be shown in a later frame, because it takes a while to be found. Nothing
-   * else waits: neither what a person draws on the map nor a plan that is played.
+   * Whether the moment will be shown in a later frame only, because it takes a while to be found. That
+   * is so for jumps on a tape, and never for edits of the map or for a plan that is played.
    */
   #isSeeking(): boolean {
     const { state } = this.#store
@@ -158,8 +158,8 @@ export class Stage {
 }
 
 /**
- * Says when the time to paint in this frame is up. It runs from when this is first asked, so that even
- * the slowest machine paints something in each frame.
+ * Says whether the time to paint in this frame is up. It runs from the first time that this is asked,
+ * so that even the slowest machine paints something in each frame.
  */
 function paintingTime(): () => boolean {
   let end: number | null = null

@@ -52,9 +52,7 @@ export function clearObstacles(state: State): State {
   return change(state, cleared, 'All obstacles are cleared.')
 }
 
-/**
- * Tries a change that may refuse what it is given. Then all stays as it was, and why is said.
- */
+/** Tries a change that may throw. If it does, all stays as it was, and a message says why. */
 export function attempt(state: State, transition: (state: State) => State): State {
   try {
     return transition(state)
@@ -64,8 +62,8 @@ export function attempt(state: State, transition: (state: State) => State): Stat
 }
 
 /**
- * A change to another map, seen as a whole and to its end. Errors of earlier attempts to get one
- * are over.
+ * A change to another map: all of it is shown, with the end of its plan. Errors of earlier attempts to
+ * open one are taken away.
  */
 export function changeMap(state: State, setup: Setup, text: string): State {
   const messages = state.messages.filter((message) => message.kind !== 'error')
@@ -97,7 +95,7 @@ function travel(state: State, to: typeof history.undo, words: TravelWords): Stat
   }
 }
 
-/** If a slow plan is given up for this one, the one before both does not come back on screen. */
+/** A run that replaces a slow one is slow from its beginning: the plan before both stays hidden. */
 export const planStarted = (state: State): State => ({
   ...state,
   run: { kind: 'running', slow: state.run.kind === 'running' && state.run.slow, done: 0 },
@@ -118,7 +116,7 @@ export function planArrived(state: State, shown: Shown, welcome: Tempo | null = 
   return { ...state, shown, run, ...cursorOn(state, shown, welcome) }
 }
 
-/** No plan can be had for this setup; that of an older one is of no interest any more. */
+/** There is no plan for this setup. For a setup that is not on screen any more, nothing is said. */
 export function planFailed(state: State, setup: Setup, message: string): State {
   return setup === state.setup ? { ...state, run: { kind: 'failed', message } } : state
 }
@@ -160,7 +158,7 @@ export const moveCursor = (state: State, cursor: Cell): State => ({
   ...state,
   cursor,
   cursorShown: true,
-  // The mouse may still lie there: what is asked about now is the cursor's cell.
+  // The mouse may still be on the map, but now the cell of interest is the cursor's.
   hovered: -1,
 })
 
@@ -180,7 +178,7 @@ export function prefer(state: State, some: Partial<Preferences>): State {
   return isNew ? { ...state, preferences } : state
 }
 
-/** Said to those who listen; it does not stand anywhere. */
+/** Said by screen readers, and shown nowhere. */
 export const say = (state: State, text: string): State => ({
   ...state,
   said: { text, followedBy: 'nothing' },

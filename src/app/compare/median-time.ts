@@ -21,7 +21,7 @@ export function medianTime(run: () => void, now: () => number): number {
     const to = now()
     const spent = to - began
     if (to - from < LEAST_READING_MS && spent < MOST_MS) {
-      // What was read so far was too short to mean something.
+      // The readings so far are too short for this clock.
       readings.length = 0
       runsAtOnce *= 2
       continue

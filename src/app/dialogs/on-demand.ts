@@ -15,8 +15,8 @@ export const dialogsOf = (store: Store<State>) => ({
 })
 
 /**
- * Opens a part of the page that is loaded when it is asked for first. That it cannot be had is told,
- * and the next try loads it anew.
+ * Opens a part of the page that is loaded when it is first asked for. If that fails, a message says
+ * so, and the next try loads it again.
  * @param load gives what opens the part
  */
 function onDemand(store: Store<State>, load: () => Promise<() => void>): () => void {

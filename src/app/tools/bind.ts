@@ -91,7 +91,7 @@ export function bindInput(host: HTMLElement, store: Store<State>, openHelp: () =
 
   window.addEventListener('keydown', (event) => {
     const place = placeOfKey(event.target)
-    // What has dealt with a key has taken its usual effect away.
+    // Other listeners that have dealt with a key have prevented its default.
     if (event.defaultPrevented || event.altKey || isOverlaid()) return
     if (event.key === ' ') {
       if (place === null || place === 'button') return
@@ -137,7 +137,7 @@ const keyPressOf = ({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): KeyPres
   shift: shiftKey,
 })
 
-/** Held down it would flicker. */
+/** Such a key would switch on and off again and again while it is held down. */
 const isSwitch = ({ key }: KeyPress): boolean => key.toLowerCase() === 'k'
 
 const TEXT_FIELDS = 'input:not([type=checkbox], [type=radio], [type=range]), textarea'
@@ -145,7 +145,7 @@ const TEXT_FIELDS = 'input:not([type=checkbox], [type=radio], [type=range]), tex
 const isTextField = (target: EventTarget | null): boolean =>
   target instanceof Element && target.matches(TEXT_FIELDS)
 
-/** `null` where no key is for the playback. */
+/** `null` where keys have other uses than the playback. */
 function keyPlaceOf(target: EventTarget | null): KeyPlace | null {
   if (!(target instanceof Element)) return 'elsewhere'
   if (isTextField(target) || target.matches('select')) return null
