@@ -21,7 +21,7 @@ export interface Mark {
   readonly runs: readonly RunList[]
 }
 
-/** A mark that says where a whole distribution lies. */
+/** A mark for a whole distribution. */
 export interface Box extends Mark {
   /** Half of the values lie between these. */
   readonly lower: number

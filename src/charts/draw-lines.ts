@@ -55,7 +55,7 @@ export function linesOptions(chart: LinesChart, { theme, isShown }: Drawing): Pl
   }
 }
 
-/** What the marks need of a logarithmic axis: intervals may begin at nearly nothing, and are cut off. */
+/** The domain of a logarithmic axis for these marks. Intervals that begin near 0 are cut off. */
 function frameOf(marks: readonly Mark[]): Range {
   if (marks.length === 0) return [1, 10]
   const least = Math.min(...marks.map(({ y }) => y))
@@ -73,7 +73,7 @@ function axes({ x, y, marks }: LinesChart, frame: Range, faint: string): Plot.Ma
   } as const
   const axisY = { label: y.label, labelArrow: 'none', ...hidden } as const
   const grid = { stroke: faint, strokeOpacity: 0.5, ...hidden }
-  // What was run has its own ticks; of a logarithmic axis' few would fall there.
+  // A logarithmic axis has ticks at the values that were run, where few of its own would fall.
   const places = [...new Set(marks.map((mark) => mark.x))]
   const decades = y.scale === 'log' ? decadesIn(frame) : []
   return [
@@ -93,7 +93,7 @@ type Range = readonly [least: number, greatest: number]
 
 const wholePercent = (share: number): string => `${Math.round(100 * share)} %`
 
-/** The powers of ten in a range, without the noise of their reckoning. */
+/** The powers of ten in a range; made from texts, because `10 ** n` is rounded for negative n. */
 function decadesIn([least, greatest]: Range): number[] {
   const first = Math.ceil(Math.log10(least))
   const last = Math.floor(Math.log10(greatest))

@@ -53,8 +53,8 @@ export interface SeriesStyle {
 }
 
 /**
- * How series number `style` looks. The numbers of colours, symbols and dashes have no common factor,
- * so that 280 series all differ, and neighbours in all three.
+ * How series number `style` looks. The numbers of colours, symbols and dashes (8, 7 and 5) have no
+ * common factor, so that 280 series all differ, and neighbours differ in all three.
  */
 export const seriesStyle = (theme: ChartTheme, style: number): SeriesStyle => ({
   colour: theme.series[style % theme.series.length],

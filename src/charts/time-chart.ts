@@ -7,10 +7,10 @@ import { count, millisecondsInWords } from './words'
 
 const SLOWEST = 50
 
-/** Less than any clock tells: a logarithm of nothing there is not. */
+/** In milliseconds, less than any clock can tell: 0 has no logarithm. */
 const LEAST_TIME = 0.001
 
-/** The median; the mean where most runs are shorter than the tick of the clock, so that it is 0. */
+/** The median; or the mean if the median is 0, because most runs are shorter than a tick of the clock. */
 const timeOf = ({ median, mean }: Quantiles): number =>
   Math.max(median > 0 ? median : mean, LEAST_TIME)
 

@@ -22,9 +22,3 @@ export function millisecondsInWords(value: number): string {
   if (value === 0) return '0 ms'
   return `${value < 100 ? value.toPrecision(2) : Math.round(value)} ms`
 }
-
-/** "0 %, 10 % and 20 %". */
-export function listInWords(items: readonly string[]): string {
-  if (items.length < 2) return items.join('')
-  return `${items.slice(0, -1).join(', ')} and ${items[items.length - 1]}`
-}

@@ -24,7 +24,7 @@ export const STYLES = [
   { colour: '#000000', dash: '1 2' },
 ] as const
 
-export const INK = '#333333'
+const INK = '#333333'
 export const FAINT = '#dddddd'
 
 /** Coordinates to a tenth of a pixel, so that the files are short. */

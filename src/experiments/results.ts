@@ -8,7 +8,7 @@ import { type Shard, WHOLE } from './shards'
 
 /** The name and the version that results files carry. */
 export const RESULTS_FORMAT = 'path-planner-results'
-export const RESULTS_VERSION = 1
+const RESULTS_VERSION = 1
 
 /** What rows come from: enough to make them again. */
 export interface Origin {

@@ -23,7 +23,7 @@ export function openText(state: PageState, text: string): PageState {
   return showResults(openSettings(state, results.settings), results)
 }
 
-/** Opens settings or results. What is wrong with them is said, and all stays as it was. */
+/** Opens settings or results. If that fails, a message says why, and all stays as it was. */
 async function openFile(store: Store<PageState>, file: File): Promise<void> {
   try {
     const text = await textOf(file)

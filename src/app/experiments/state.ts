@@ -25,7 +25,7 @@ export interface Shown {
 /** All that the page shows. */
 export interface PageState extends WithMessages {
   readonly draft: Draft
-  /** Grows when the whole form has to be made anew, and not while somebody types. */
+  /** Grows when the whole form has to be made anew; not while somebody types in it. */
   readonly formMade: number
   readonly checked: Checked
   readonly run: Run

@@ -14,13 +14,13 @@ import { type Draft, draftOf, type Entry, type List, newEntry } from './draft'
 import { checkDraft } from './faults'
 import type { PageState, Run } from './state'
 
-/** What is typed; the form shows it already. */
+/** An edit that the form shows already, because it was made there. */
 export const edit = (state: PageState, change: Partial<Draft>): PageState => {
   const draft = { ...state.draft, ...change }
   return { ...state, draft, checked: checkDraft(draft) }
 }
 
-/** A change that the form does not show yet. */
+/** A change for which the form has to be made anew. */
 const remake = (state: PageState, change: Partial<Draft>): PageState => ({
   ...edit(state, change),
   formMade: state.formMade + 1,
@@ -87,7 +87,7 @@ export function progressInWords({ done, total, left }: Extract<Run, { kind: 'run
   return left === null ? maps : `${maps}, ${durationInWords(left)} left`
 }
 
-/** Results to look at, all of them or the first maps only. */
+/** Shows results, of all maps or of the first ones only. */
 export function showResults(state: PageState, results: Results): PageState {
   const { maps: total, settings } = countWork(results.settings)
   const maps = Math.floor(results.rows.length / settings)
@@ -101,10 +101,10 @@ export function showResults(state: PageState, results: Results): PageState {
   }
 }
 
-/** More lines than these nobody can follow. */
+/** Nobody can follow more lines than this. */
 const MOST_SERIES = 14
 
-/** Where there are too many, planners with many settings begin with their first only. */
+/** The series that are hidden at first: if there are too many, all but the first setting of a planner. */
 function namesLeftOut(settings: ExperimentSettings): ReadonlySet<string> {
   const all = plannerSettings(settings)
   if (all.length <= MOST_SERIES) return new Set()

@@ -8,7 +8,7 @@ import type { Order, Report } from './protocol'
 export type PoolWorker = AskedWorker<Order, Report>
 
 export interface PoolEvents {
-  /** More maps are done; their number, from the first on without a gap. */
+  /** More maps are done: so many from the first on, without a gap. */
   progressed(maps: number): void
   /** All maps are done. */
   finished(): void
@@ -33,7 +33,7 @@ export class WorkerPool {
   readonly #idle = new Set<PoolWorker>()
   #workers: PoolWorker[]
   #next = 0
-  /** What a map takes, so far. */
+  /** How long how many maps took so far. */
   #pace = { maps: 0, milliseconds: 0 }
 
   /** @param size how many workers; no more are made than there are maps */
@@ -54,7 +54,7 @@ export class WorkerPool {
     for (const worker of this.#workers) this.#start(worker)
   }
 
-  /** Of all maps from the first on without a gap: what there is to keep at any moment. */
+  /** The rows of all maps that are done, from the first on without a gap. */
   get rows(): readonly Row[] {
     return this.#rows
   }
@@ -113,7 +113,7 @@ export class WorkerPool {
     if (left <= 0) return null
     const { maps, milliseconds } = this.#pace
     const worth = maps === 0 ? 1 : Math.floor((RANGE_MS * maps) / Math.max(milliseconds, 1))
-    // At the end there is something left for everyone.
+    // Towards the end ranges get shorter, so that all workers end at about the same time.
     const fair = Math.ceil((this.#total - first) / (2 * this.#workers.length))
     this.#next = first + Math.max(1, Math.min(worth, fair, left, MOST_MAPS))
     return { first, end: this.#next }

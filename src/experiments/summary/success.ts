@@ -17,14 +17,6 @@ export function successOf(rows: readonly Row[]): Success {
   return { rows: possible, failures, ...wilson(possible.length - failures.length, possible.length) }
 }
 
-/** How often each planner setting succeeds, over all maps. */
-export function successBySetting(
-  settings: ExperimentSettings,
-  rows: readonly Row[],
-): Series<Success>[] {
-  return seriesOf(settings, rows, (own) => [successOf(own)])
-}
-
 export interface DensityPoint {
   /** In percent. */
   readonly density: number
