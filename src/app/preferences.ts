@@ -2,7 +2,7 @@ import * as v from 'valibot'
 import type { Sight } from '../render/scene'
 import { SPEEDS, type Speed } from './speeds'
 
-export const THEME_CHOICES = ['system', 'dark', 'light'] as const
+const THEME_CHOICES = ['system', 'dark', 'light'] as const
 export type ThemeChoice = (typeof THEME_CHOICES)[number]
 
 export const SIGHTS = ['both', 'world', 'known'] as const satisfies readonly Sight[]

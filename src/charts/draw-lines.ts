@@ -93,7 +93,7 @@ type Range = readonly [least: number, greatest: number]
 
 const wholePercent = (share: number): string => `${Math.round(100 * share)} %`
 
-/** The powers of ten in a range; made from texts, because `10 ** n` is rounded for negative n. */
+/** The powers of ten in a range; read from texts, because `10 ** n` may be off by a rounding error. */
 function decadesIn([least, greatest]: Range): number[] {
   const first = Math.ceil(Math.log10(least))
   const last = Math.floor(Math.log10(greatest))

@@ -47,10 +47,10 @@ export function ratioChart(settings: ExperimentSettings, rows: readonly Row[]): 
         '95 of 100',
         'Longest',
       ],
-      rows: distributions.map(({ name, rows: reached, bins, quantiles: q }) => [
+      rows: distributions.map(({ name, rows: reached, optimal, quantiles: q }) => [
         name,
         count(reached.length),
-        count(bins[0].rows.length),
+        count(optimal.length),
         ...[q.lower, q.median, q.upper, q.high, q.greatest].map(ratioInWords),
       ]),
     },

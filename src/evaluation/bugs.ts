@@ -23,11 +23,11 @@ export function bug1Section(evidence: Evidence): Section {
   const { bug1 } = bugsOf(evidence)
   const { rows: possible, failures } = successOf(bug1)
   const proofs = bug1.filter(({ status }) => status === 'unreachable').length
-  const { quantiles, bins } = distributionOf(bug1)
+  const { quantiles, optimal } = distributionOf(bug1)
   return {
     title: 'Bug1 is complete, and walks far',
     claim: 'Bug v1, despite using a naive approach and therefore being non optimal, is complete',
-    body: `${failures.length === 0 ? 'Borne out.' : 'Not borne out.'} It arrived on ${ofMaps(possible.length - failures.length, possible.length)} where that is possible, and proved of the other ${count(proofs)} that it is not. ${percent(bins[0].rows.length / possible.length)} of its walks have the least number of steps; the median is ${figure(quantiles.median)} times that number, one in twenty more than ${figure(quantiles.high)}, and the longest ${figure(quantiles.greatest)} times.`,
+    body: `${failures.length === 0 ? 'Borne out.' : 'Not borne out.'} It arrived on ${ofMaps(possible.length - failures.length, possible.length)} where that is possible, and proved of the other ${count(proofs)} that it is not. ${percent(optimal.length / possible.length)} of its walks have the least number of steps; the median is ${figure(quantiles.median)} times that number, one in twenty more than ${figure(quantiles.high)}, and the longest ${figure(quantiles.greatest)} times.`,
     figures: [ratioFigure(evidence)],
   }
 }

@@ -1,6 +1,6 @@
 import { successByDensity } from '../experiments/summary/success'
 import { type Evidence, REPORT, select } from './evidence'
-import { lineChart } from './line-chart'
+import { lineChart, successAxis } from './line-chart'
 import { linearScale } from './scale'
 import type { Figure } from './svg'
 import { percent } from './words'
@@ -33,7 +33,6 @@ export function densityFigure(evidence: Evidence): Figure {
     return `${name} ${percent(y)} at ${x} %`
   })
   const densities = lines[0].points.map(({ x }) => x)
-  const percentage = (share: number) => `${Math.round(100 * share)} %`
   return {
     name: 'success-by-density',
     alt: `${title}, with 95 % intervals. ${densest.join(', ')}.`,
@@ -44,11 +43,7 @@ export function densityFigure(evidence: Evidence): Figure {
         scale: (from, to) => linearScale([0, ...densities], from, to),
         write: (density) => `${density} %`,
       },
-      {
-        label: 'reachable goals that are reached',
-        scale: (from, to) => linearScale([0, 0.2, 0.4, 0.6, 0.8, 1], from, to),
-        write: percentage,
-      },
+      successAxis,
       lines,
     ),
   }

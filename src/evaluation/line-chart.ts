@@ -1,4 +1,4 @@
-import type { Scale } from './scale'
+import { linearScale, type Scale } from './scale'
 import { document, element, FAINT, type Frame, line, px, STYLES, text } from './svg'
 
 export interface LinePoint {
@@ -18,6 +18,15 @@ export interface Axis {
   readonly label: string
   readonly scale: (from: number, to: number) => Scale
   readonly write: (value: number) => string
+}
+
+const SHARES = [0, 0.2, 0.4, 0.6, 0.8, 1]
+
+/** How many of the goals that can be reached are reached. */
+export const successAxis: Axis = {
+  label: 'reachable goals that are reached',
+  scale: (from, to) => linearScale(SHARES, from, to),
+  write: (share) => `${Math.round(100 * share)} %`,
 }
 
 const WIDTH = 760

@@ -3,12 +3,10 @@ import { groupByNumber } from '../experiments/summary/groups'
 import { roadmapBySamples, type SamplesPoint } from '../experiments/summary/samples'
 import { successOf } from '../experiments/summary/success'
 import { type Evidence, type Section, select } from './evidence'
-import { lineChart } from './line-chart'
-import { linearScale, logScale } from './scale'
+import { lineChart, successAxis } from './line-chart'
+import { logScale } from './scale'
 import type { Figure } from './svg'
 import { count, figure, milliseconds, percent, table, withInterval } from './words'
-
-const SHARES = [0, 0.2, 0.4, 0.6, 0.8, 1]
 
 export function roadmapSection(evidence: Evidence): Section {
   const rows = select(evidence, 'probabilistic-roadmap')
@@ -46,7 +44,7 @@ export function roadmapSection(evidence: Evidence): Section {
 
 /** How many of the reachable goals are reached with the least number of cells. */
 const optimalShare = ({ ratio, success }: SamplesPoint): number =>
-  ratio.bins[0].rows.length / success.rows.length
+  ratio.optimal.length / success.rows.length
 
 function samplesFigure(rows: readonly Row[]): Figure {
   const lines = groupByNumber(rows, ({ width }) => width).map(([side, own]) => ({
@@ -71,11 +69,7 @@ function samplesFigure(rows: readonly Row[]): Figure {
         scale: (from, to) => ({ ...logScale(samples, from, to), ticks: samples }),
         write: count,
       },
-      {
-        label: 'reachable goals that are reached',
-        scale: (from, to) => linearScale(SHARES, from, to),
-        write: (share) => `${Math.round(100 * share)} %`,
-      },
+      successAxis,
       lines,
     ),
   }

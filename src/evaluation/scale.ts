@@ -4,7 +4,7 @@ export interface Scale {
   place(value: number): number
 }
 
-/** From 0, or the least value, to the greatest tick. */
+/** From the first tick to the last one; ticks rise. */
 export function linearScale(ticks: readonly number[], from: number, to: number): Scale {
   const first = ticks[0]
   const span = ticks[ticks.length - 1] - first

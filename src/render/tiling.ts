@@ -3,7 +3,7 @@ import type { Box } from './box'
 
 /** Side of a tile in cells, as a power of two. */
 const TILE_BITS = 8
-export const TILE = 1 << TILE_BITS
+const TILE = 1 << TILE_BITS
 
 /**
  * A map cut into squares. What changes in one of them leaves the images of the others as they are,
