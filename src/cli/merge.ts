@@ -3,9 +3,10 @@ import { createInterface } from 'node:readline'
 import { pipeline } from 'node:stream/promises'
 import { type Origin, readOrigin } from '../experiments/results'
 import { originToLine, parseLine } from '../experiments/results-json'
-import { countWork } from '../experiments/settings'
-import { rangeOfShard, WHOLE } from '../experiments/shards'
+import { WHOLE } from '../experiments/shards'
 import { InputError } from '../grid/errors'
+import { inFile } from './in-file'
+import { RowOrder } from './row-order'
 
 interface ShardFile {
   readonly path: string
@@ -38,48 +39,26 @@ export async function mergeShards(paths: readonly string[], out: string | null):
 
 /** Reads all of the file, to see that each row is there and in its place. */
 async function readShardFile(path: string): Promise<ShardFile> {
-  let shard: ShardFile | null = null
-  let next = 0
-  let setting = 0
+  let file: { readonly shard: ShardFile; readonly rows: RowOrder } | null = null
   let number = 0
-  let maps = { first: 0, end: 0 }
-  let each = 0
   for await (const line of createInterface({ input: createReadStream(path), crlfDelay: 0 })) {
     number++
-    if (shard === null) {
-      const origin = named(path, () => readOrigin(parseLine(line, 1)))
-      const work = countWork(origin.settings)
-      each = work.settings
-      maps = rangeOfShard(origin.shard, work.maps)
-      next = maps.first
-      shard = { path, origin, headerBytes: Buffer.byteLength(line) + 1 }
+    if (file) {
+      file.rows.take(line, number)
       continue
     }
-    const row = Object(named(path, () => parseLine(line, number)))
-    if (next >= maps.end || row.map !== next || row.setting !== setting) {
-      throw new InputError(
-        `${path} is damaged: line ${number} is not the row that should stand there.`,
-      )
-    }
-    if (++setting < each) continue
-    setting = 0
-    next++
+    const origin = inFile(path, () => readOrigin(parseLine(line, 1)))
+    const shard = { path, origin, headerBytes: Buffer.byteLength(line) + 1 }
+    file = { shard, rows: new RowOrder(path, origin) }
   }
-  if (shard === null) throw new InputError(`${path} is empty.`)
+  if (file === null) throw new InputError(`${path} is empty.`)
+  const { next, maps } = file.rows
   if (next < maps.end) {
     throw new InputError(
       `${path} is not complete: ${maps.end - next} of its ${maps.end - maps.first} maps are missing. Run it again to go on.`,
     )
   }
-  return shard
-}
-
-function named<T>(path: string, read: () => T): T {
-  try {
-    return read()
-  } catch (error) {
-    throw error instanceof InputError ? new InputError(`${path}: ${error.message}`) : error
-  }
+  return file.shard
 }
 
 function checkTogether(files: readonly ShardFile[]): void {

@@ -6,12 +6,10 @@ import type { ExperimentSettings } from '../experiments/settings'
 import type { MapRange } from '../experiments/shards'
 import { messageOf } from '../grid/errors'
 
-interface Answer {
-  readonly map: number
-  /** The rows as JSON lines, or what went wrong. */
-  readonly lines?: string
-  readonly error?: string
-}
+/** The rows of a map as JSON lines, or what went wrong. */
+type Answer =
+  | { readonly map: number; readonly lines: string }
+  | { readonly map: number; readonly error: string }
 
 /** One map that takes long must not let the others pile up. */
 const MOST_AHEAD = 1000
@@ -29,7 +27,7 @@ interface Job {
 /**
  * Runs maps in threads.
  * @param onMap is called with the JSON lines of one map after the other, in their order
- * @returns when all are done, or the signal came
+ * @returns a promise that is kept when all are done, or when the signal came
  */
 export async function runMaps(job: Job, onMap: (lines: string) => void): Promise<void> {
   const { settings, maps, workers, program, signal } = job
@@ -44,9 +42,9 @@ export async function runMaps(job: Job, onMap: (lines: string) => void): Promise
   }
   try {
     await new Promise<void>((resolve, reject) => {
-      const answered = (thread: Worker, { map, lines, error }: Answer) => {
-        if (lines === undefined) return reject(new Error(`Map ${map}: ${error}`))
-        order.add(map, lines)
+      const answered = (thread: Worker, answer: Answer) => {
+        if ('error' in answer) return reject(new Error(`Map ${answer.map}: ${answer.error}`))
+        order.add(answer.map, answer.lines)
         if (order.next === maps.end) return resolve()
         ask(thread)
         const waiting = [...idle]

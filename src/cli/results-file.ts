@@ -4,6 +4,7 @@ import { originToLine, parseLine } from '../experiments/results-json'
 import { countWork } from '../experiments/settings'
 import { rangeOfShard } from '../experiments/shards'
 import { InputError } from '../grid/errors'
+import { RowOrder } from './row-order'
 
 /** Where rows are written to, one map after the other. */
 export interface RowsWriter {
@@ -44,36 +45,22 @@ export function openRowsFile(path: string, origin: Origin): RowsWriter {
 
 /** The first map that is not in the file, and how many bytes those before it take. */
 function whatIsThere(path: string, origin: Origin): { next: number; bytes: number } {
-  const { settings, shard } = origin
-  const { maps, settings: each } = countWork(settings)
-  const { first, end } = rangeOfShard(shard, maps)
   const content = readIfThere(path)
-  const header = originToLine(origin)
+  const rows = new RowOrder(path, origin)
   const headerEnd = content.indexOf('\n')
   if (headerEnd < 0) {
-    if (!`${header}\n`.startsWith(content.toString())) throw isSomethingElse(path)
-    return { next: first, bytes: 0 }
+    if (!`${originToLine(origin)}\n`.startsWith(content.toString())) throw isSomethingElse(path)
+    return { next: rows.next, bytes: 0 }
   }
   checkOrigin(path, content.toString('utf8', 0, headerEnd), origin)
-  let next = first
   let bytes = headerEnd + 1
-  let number = 1
-  let setting = 0
-  for (let from = bytes; ; ) {
+  let from = bytes
+  for (let number = 2; ; number++) {
     const lineEnd = content.indexOf('\n', from)
-    if (lineEnd < 0) return { next, bytes }
-    number++
-    const row = Object(parseLine(content.toString('utf8', from, lineEnd), number))
-    if (next >= end || row.map !== next || row.setting !== setting) {
-      throw new InputError(
-        `${path} is damaged: line ${number} is not the row that should stand there.`,
-      )
-    }
+    if (lineEnd < 0) return { next: rows.next, bytes }
+    const isMapComplete = rows.take(content.toString('utf8', from, lineEnd), number)
     from = lineEnd + 1
-    if (++setting < each) continue
-    setting = 0
-    next++
-    bytes = from
+    if (isMapComplete) bytes = from
   }
 }
 
