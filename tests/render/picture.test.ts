@@ -30,7 +30,6 @@ function fakeCanvas() {
     dataset,
     style: {},
     setAttribute() {},
-    remove() {},
     getContext: () => context,
     width: 0,
     height: 0,
