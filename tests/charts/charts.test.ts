@@ -4,6 +4,7 @@ import { chartsOf } from '../../src/charts/charts'
 import { chartThemes, seriesStyle } from '../../src/charts/style'
 import { runMap } from '../../src/experiments/run-map'
 import { countWork, type ExperimentSettings } from '../../src/experiments/settings'
+import { contrast, rgbOf } from '../../src/render/colour'
 
 const settings: ExperimentSettings = {
   ...presets[0].settings,
@@ -24,8 +25,8 @@ const rows = Array.from({ length: countWork(settings).maps }, (_, map) =>
   runMap(settings, map),
 ).flat()
 const charts = chartsOf(settings, rows)
-const chart = (id: string) => {
-  const found = charts.find((one) => one.id === id)
+const chart = (id: string, among = charts) => {
+  const found = among.find((one) => one.id === id)
   if (!found) throw new Error(`no chart ${id}`)
   return found
 }
@@ -104,33 +105,17 @@ describe('the marks', () => {
 
   it('of time lie above zero, where a logarithmic axis has them, even if no clock ticked', () => {
     const still = rows.map((row) => ({ ...row, milliseconds: 0 }))
-    for (const one of chartsOf(settings, still)) {
-      if (one.id !== 'time') continue
-      expect(one.marks).toHaveLength(2 * countWork(settings).settings)
-      for (const { y, low, high } of one.marks) expect(Math.min(y, low, high)).toBeGreaterThan(0)
-    }
+    const { marks } = chart('time', chartsOf(settings, still))
+    expect(marks).toHaveLength(2 * countWork(settings).settings)
+    for (const { y, low, high } of marks) expect(Math.min(y, low, high)).toBeGreaterThan(0)
   })
 })
 
-/** Contrast of two colours, after WCAG 2.2. */
-function contrast(a: string, b: string): number {
-  const luminance = (colour: string) => {
-    const [red, green, blue] = [1, 3, 5].map((i) => {
-      const value = Number.parseInt(colour.slice(i, i + 2), 16) / 255
-      return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4
-    })
-    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
-  }
-  const [low, high] = [luminance(a), luminance(b)].sort((x, y) => x - y)
-  return (high + 0.05) / (low + 0.05)
-}
-
 describe('the styles', () => {
   it.each(Object.entries(chartThemes))('of the %s theme stand out on its surface', (_, theme) => {
-    for (const colour of theme.series) {
-      expect(contrast(colour, theme.surface)).toBeGreaterThanOrEqual(3)
-    }
-    expect(contrast(theme.ink, theme.surface)).toBeGreaterThanOrEqual(7)
+    const contrastOf = (colour: string) => contrast(rgbOf(colour), rgbOf(theme.surface))
+    for (const colour of theme.series) expect(contrastOf(colour)).toBeGreaterThanOrEqual(3)
+    expect(contrastOf(theme.ink)).toBeGreaterThanOrEqual(7)
   })
 
   it('differ for 280 series, and between neighbours in colour, symbol and line', () => {
