@@ -8,6 +8,16 @@ export async function chooseFromMapMenu(page: Page, entry: string): Promise<void
   await page.getByRole('menuitem', { name: entry, exact: true }).click()
 }
 
+/** Makes an empty map of this size by the menu's dialog. */
+export async function createMap(page: Page, width: number, height: number): Promise<void> {
+  await chooseFromMapMenu(page, 'New…')
+  const dialog = page.getByRole('dialog', { name: 'New map' })
+  await dialog.getByLabel('Width').fill(String(width))
+  await dialog.getByLabel('Height').fill(String(height))
+  await dialog.getByRole('button', { name: 'Create' }).click()
+  await expect(page.getByRole('application')).toHaveAttribute('data-width', String(width))
+}
+
 /** Opens a file by the page's own file dialog. */
 export async function openFile(page: Page, name: string, text: string): Promise<void> {
   const asked = page.waitForEvent('filechooser')
@@ -57,13 +67,26 @@ export async function dropFile(page: Page, name: string, text: string): Promise<
 export const plannerSelect = (page: Page): Locator =>
   page.getByRole('combobox', { name: 'Planner', exact: true })
 
-/** Chooses a planner; on a phone its card is opened for that and folded again. */
+const foldButton = (page: Page, card: string) =>
+  page.getByRole('button', { name: `Fold the ${card} card` })
+
+/** Opens a card if it is folded, as cards are on a phone; returns whether it was. */
+export async function unfold(page: Page, card: string): Promise<boolean> {
+  const button = foldButton(page, card)
+  const wasFolded = (await button.getAttribute('aria-expanded')) === 'false'
+  if (wasFolded) await button.click()
+  return wasFolded
+}
+
+/** Does something in the planner card; if it was folded, it is so again afterwards. */
+export async function inPlannerCard(page: Page, action: () => Promise<unknown>): Promise<void> {
+  const wasFolded = await unfold(page, 'planner')
+  await action()
+  if (wasFolded) await foldButton(page, 'planner').click()
+}
+
 export async function choosePlanner(page: Page, title: string): Promise<void> {
-  const fold = page.getByRole('button', { name: 'Fold the planner card' })
-  const wasFolded = (await fold.getAttribute('aria-expanded')) === 'false'
-  if (wasFolded) await fold.click()
-  await plannerSelect(page).selectOption({ label: title })
-  if (wasFolded) await fold.click()
+  await inPlannerCard(page, () => plannerSelect(page).selectOption({ label: title }))
 }
 
 /** The control of a parameter, found by its label, whatever unit stands behind that. */
@@ -104,4 +127,19 @@ export const resultNumber = (page: Page, label: string): Locator =>
 /** Waits until these words were said to those who listen. */
 export async function expectSaid(page: Page, words: string | RegExp): Promise<void> {
   await expect(page.getByRole('status')).toHaveText(words)
+}
+
+/** Presses Tab until the focus is on what is looked for. */
+export async function tabTo(
+  page: Page,
+  role: 'button' | 'combobox',
+  name: string,
+): Promise<Locator> {
+  const target = page.getByRole(role, { name, exact: true })
+  const isFocused = () => target.evaluate((element) => element === document.activeElement)
+  for (let i = 0; i < 40; i++) {
+    if (await isFocused()) return target
+    await page.keyboard.press('Tab')
+  }
+  throw new Error(`Tab does not lead to the ${role} "${name}".`)
 }

@@ -1,4 +1,4 @@
-import { expectSaid } from '../actions'
+import { expectSaid, plannerSelect } from '../actions'
 import { expect, test } from '../fixtures'
 import { cellFacts, openScenario, press } from '../steps'
 
@@ -54,7 +54,7 @@ test('costs and parents of a search, vertices and edges of a roadmap', async ({ 
   )
   await map.moveTo(0, 0)
   await expect(facts).toHaveText('(0, 0), free. The planner knows nothing of it yet.')
-  await page.getByRole('combobox', { name: 'Planner', exact: true }).selectOption('decomposition')
+  await plannerSelect(page).selectOption('decomposition')
   await expect(facts).toHaveText(/^\(0, 0\), free\. Vertex; closed, cost \d+ by way of/)
 })
 

@@ -1,12 +1,11 @@
 import { darkTheme } from '../../src/render/theme'
 import {
+  chooseFromMapMenu,
   choosePlanner,
   drawnRows,
   expectResult,
   expectSaid,
-  expectSettled,
   openMap,
-  saveMap,
 } from '../actions'
 import { expect, test } from '../fixtures'
 
@@ -133,60 +132,12 @@ test('the right button sets the start, then the goal, and so on', async ({ map, 
   await expect(map.element).toHaveAttribute('data-start', '3,4')
 })
 
-test('everything can be undone and redone', async ({ map, page }) => {
-  const undo = page.getByRole('button', { name: 'Undo' })
-  const redo = page.getByRole('button', { name: 'Redo' })
-  const isUsed = async () => (await undo.getAttribute('aria-disabled')) === 'false'
-  while (await isUsed()) await undo.click()
-  await expectSettled(page)
-  const planner = await map.element.getAttribute('data-planner')
-  const before = await saveMap(page)
-
-  await openMap(page, ROOM)
-  await map.drag([
-    [6, 0],
-    [6, 4],
-  ])
-  await map.click([6, 2])
-  await map.drag([
-    [10, 2],
-    [5, 4],
-  ])
-  await map.click([8, 1], 'right')
-  await choosePlanner(page, 'Bug2')
-  await page.getByLabel('Turn').selectOption('right')
-  await page.getByLabel('Diagonal steps').selectOption('only-when-no-obstacles')
-  await expectSettled(page)
-  const after = await saveMap(page)
-  const cells = await map.element.getAttribute('data-cells')
-
-  for (let step = 0; step < 8; step++) await undo.click()
-  await expect(undo).toHaveAttribute('aria-disabled', 'true')
-  await expect(map.element).toHaveAttribute('data-planner', String(planner))
-  expect(await saveMap(page)).toEqual(before)
-
-  for (let step = 0; step < 8; step++) await redo.click()
-  await expect(redo).toHaveAttribute('aria-disabled', 'true')
-  await expect(page.getByLabel('Turn')).toHaveValue('right')
-  await expect(map.element).toHaveAttribute('data-cells', String(cells))
-  expect(await saveMap(page)).toEqual(after)
-})
-
-test('an edit after undoing leaves nothing to redo', async ({ map, page }) => {
-  await map.click([6, 2])
-  await page.keyboard.press('Control+z')
-  await expect(page.getByRole('button', { name: 'Redo' })).toHaveAttribute('aria-disabled', 'false')
-  await map.click([7, 2])
-  await expect(page.getByRole('button', { name: 'Redo' })).toHaveAttribute('aria-disabled', 'true')
-})
-
 test('all obstacles are cleared at once', async ({ map, page }) => {
   await map.drag([
     [4, 0],
     [4, 5],
   ])
-  await page.getByRole('button', { name: 'Map', exact: true }).click()
-  await page.getByRole('menuitem', { name: 'Clear obstacles' }).click()
+  await chooseFromMapMenu(page, 'Clear obstacles')
   await expectSaid(page, 'All obstacles are cleared. Reached in 10 cells.')
   expect((await drawnRows(page)).join('')).not.toContain('#')
   await page.keyboard.press('Control+z')
@@ -194,8 +145,7 @@ test('all obstacles are cleared at once', async ({ map, page }) => {
 })
 
 test('a cleared path comes back with the next change', async ({ map, page }) => {
-  await page.getByRole('button', { name: 'Map', exact: true }).click()
-  await page.getByRole('menuitem', { name: 'Clear path' }).click()
+  await chooseFromMapMenu(page, 'Clear path')
   await expectResult(page, 'Path cleared')
   await map.click([6, 4])
   await expectResult(page, 'Reached in 10 cells')

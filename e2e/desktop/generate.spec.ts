@@ -1,4 +1,4 @@
-import type { Page } from '@playwright/test'
+import type { Locator, Page } from '@playwright/test'
 import { generators } from '../../src/grid/generators'
 import { chooseFromMapMenu, drawnRows, expectSettled, saveMap } from '../actions'
 import { expect, test } from '../fixtures'
@@ -7,39 +7,40 @@ const SIZE = { width: 31, height: 21 }
 
 const dialogOf = (page: Page) => page.getByRole('dialog', { name: 'Generate a map' })
 
-async function generate(page: Page, title: string, seed: number): Promise<string> {
+const wallsOf = (rows: readonly string[]) =>
+  [...rows.join('')].map((sign) => (sign === '#' ? 1 : 0))
+
+/** Opens the dialog and fills in all but the parameters of this kind of map. */
+async function fillIn(page: Page, title: string, seed: number): Promise<Locator> {
   await chooseFromMapMenu(page, 'Generate…')
   const dialog = dialogOf(page)
   await dialog.getByLabel('Kind').selectOption({ label: title })
   await dialog.getByLabel('Width').fill(String(SIZE.width))
   await dialog.getByLabel('Height').fill(String(SIZE.height))
   await dialog.getByLabel('Seed', { exact: true }).fill(String(seed))
+  return dialog
+}
+
+async function generate(page: Page, title: string, seed: number): Promise<string> {
+  const dialog = await fillIn(page, title, seed)
   await dialog.getByRole('button', { name: 'Generate' }).click()
   await expect(dialog).toBeHidden()
   await expectSettled(page)
   return (await saveMap(page)).text
 }
 
-for (const { title, generate: make } of generators) {
+for (const { title, params, generate: make } of generators) {
   test(`${title}: the same seed gives the same map, another another`, async ({ page }) => {
     const first = await generate(page, title, 7)
     const other = await generate(page, title, 8)
     expect(other).not.toBe(first)
     expect(await generate(page, title, 7)).toBe(first)
     const { grid } = make(SIZE, {}, 7, 'if-at-most-one-obstacle')
-    const { rows } = JSON.parse(first)
-    const walls = [...rows.join('')].map((sign) => (sign === '#' ? 1 : 0))
-    expect(walls).toEqual([...grid.walls])
+    expect(wallsOf(JSON.parse(first).rows)).toEqual([...grid.walls])
   })
 
   test(`${title}: every parameter is checked and obeyed`, async ({ page }) => {
-    const { params } = generators.find((generator) => generator.title === title) ?? { params: [] }
-    await chooseFromMapMenu(page, 'Generate…')
-    const dialog = dialogOf(page)
-    await dialog.getByLabel('Kind').selectOption({ label: title })
-    await dialog.getByLabel('Width').fill(String(SIZE.width))
-    await dialog.getByLabel('Height').fill(String(SIZE.height))
-    await dialog.getByLabel('Seed', { exact: true }).fill('5')
+    const dialog = await fillIn(page, title, 5)
     for (const { label, min, max } of params) {
       const field = dialog.getByLabel(label)
       await field.fill(String(max + 1))
@@ -54,8 +55,7 @@ for (const { title, generate: make } of generators) {
     await expect(dialog).toBeHidden()
     const values = Object.fromEntries(params.map(({ name, min }) => [name, min]))
     const { grid } = make(SIZE, values, 5, 'if-at-most-one-obstacle')
-    const walls = [...(await drawnRows(page)).join('')].map((sign) => (sign === '#' ? 1 : 0))
-    expect(walls).toEqual([...grid.walls])
+    expect(wallsOf(await drawnRows(page))).toEqual([...grid.walls])
   })
 }
 

@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test'
-import { chooseFromMapMenu, choosePlanner, expectSettled } from '../actions'
+import { choosePlanner, createMap, expectSettled } from '../actions'
 import { expect, test } from '../fixtures'
 import type { MapOnScreen } from '../map-on-screen'
 import { expectStep, playback, press, reasons, scrubber, stepsInAll } from '../steps'
@@ -9,13 +9,8 @@ const SIDE = 2048
 /** The largest map there is, and the plan for it. */
 async function planOnLargestMap(page: Page, planner: string): Promise<void> {
   await choosePlanner(page, planner)
-  await chooseFromMapMenu(page, 'New…')
-  const dialog = page.getByRole('dialog', { name: 'New map' })
-  await dialog.getByLabel('Width').fill(String(SIDE))
-  await dialog.getByLabel('Height').fill(String(SIDE))
-  await dialog.getByRole('button', { name: 'Create' }).click()
+  await createMap(page, SIDE, SIDE)
   const map = page.getByRole('application')
-  await expect(map).toHaveAttribute('data-width', String(SIDE))
   await expect(map).toHaveAttribute('data-painted', 'true')
   await expectSettled(page)
   await expect(map).toHaveAttribute('data-painted', 'true')

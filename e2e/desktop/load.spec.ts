@@ -1,5 +1,6 @@
 import { expect, type Page, test } from '@playwright/test'
 import { type Fetched, fetchedBy } from '../../bench/load/fetched.mjs'
+import { chooseFromMapMenu } from '../actions'
 import { ExperimentsPage, SMALL } from '../experiments'
 
 /** Of all that comes before the first map is solved, or the form can be filled in; with gzip. */
@@ -41,10 +42,7 @@ async function openPlayground(page: Page): Promise<void> {
   await page.waitForLoadState('networkidle')
 }
 
-const fromMenu = (name: string) => async (page: Page) => {
-  await page.getByRole('button', { name: 'Map', exact: true }).click()
-  await page.getByRole('menuitem', { name }).click()
-}
+const fromMenu = (entry: string) => (page: Page) => chooseFromMapMenu(page, entry)
 
 const DIALOGS = [
   { title: 'New map', open: fromMenu('New…') },

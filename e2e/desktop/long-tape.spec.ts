@@ -1,17 +1,12 @@
 import type { Page } from '@playwright/test'
-import { chooseFromMapMenu, choosePlanner, expectSettled } from '../actions'
+import { choosePlanner, createMap, expectSettled } from '../actions'
 import { expect, test } from '../fixtures'
 import { expectStep, press, scrubber, stepsInAll } from '../steps'
 
 /** Nearly every cell is closed, and each of them is a step. */
 async function planWithMillionSteps(page: Page): Promise<number> {
   await choosePlanner(page, 'Grid decomposition')
-  await chooseFromMapMenu(page, 'New…')
-  const dialog = page.getByRole('dialog', { name: 'New map' })
-  await dialog.getByLabel('Width').fill('1100')
-  await dialog.getByLabel('Height').fill('1100')
-  await dialog.getByRole('button', { name: 'Create' }).click()
-  await expect(page.getByRole('application')).toHaveAttribute('data-width', '1100')
+  await createMap(page, 1100, 1100)
   await expectSettled(page)
   await expect.poll(() => stepsInAll(page)).toBeGreaterThan(1e6)
   return stepsInAll(page)

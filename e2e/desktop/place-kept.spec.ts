@@ -1,4 +1,4 @@
-import { expectSettled } from '../actions'
+import { expectSettled, plannerSelect } from '../actions'
 import { expect, test } from '../fixtures'
 import { expectReason, expectStep, openScenario, press, stepNumber, stepsInAll } from '../steps'
 
@@ -62,7 +62,7 @@ test('at the end it stays at the end', async ({ map, page }) => {
 test('another planner is shown to its end', async ({ page }) => {
   await press(page, 'Home')
   await press(page, 'ArrowRight', 3)
-  await page.getByRole('combobox', { name: 'Planner', exact: true }).selectOption('bug1')
+  await plannerSelect(page).selectOption('bug1')
   await expectSettled(page)
   const steps = await stepsInAll(page)
   await expectStep(page, steps, steps)

@@ -3,12 +3,13 @@ import { openMap as readMap } from '../../src/grid/formats/open-map'
 import { generators } from '../../src/grid/generators'
 import { plan, planners, problemToText } from '../../src/index'
 import {
-  chooseFromMapMenu,
   choosePlanner,
+  createMap,
   expectResult,
   expectSaid,
   expectSettled,
   openMap,
+  plannerSelect,
   saveMap,
   setParam,
 } from '../actions'
@@ -16,11 +17,7 @@ import { expect, test } from '../fixtures'
 
 /** A plan that takes minutes: every two of 100,000 samples are compared. */
 async function startLongPlan(page: Page): Promise<void> {
-  await chooseFromMapMenu(page, 'New…')
-  const dialog = page.getByRole('dialog', { name: 'New map' })
-  await dialog.getByLabel('Width').fill('1000')
-  await dialog.getByLabel('Height').fill('1000')
-  await dialog.getByRole('button', { name: 'Create' }).click()
+  await createMap(page, 1000, 1000)
   await choosePlanner(page, 'Probabilistic roadmap')
   await setParam(page, 'Samples', 100_000)
   await expectResult(page, 'Planning…')
@@ -92,11 +89,7 @@ test('progress is told in numbers where the planner knows them', async ({ map, p
         new MutationObserver(note).observe(document.body, { subtree: true, attributes: true })
       }),
   )
-  await chooseFromMapMenu(page, 'New…')
-  const dialog = page.getByRole('dialog', { name: 'New map' })
-  await dialog.getByLabel('Width').fill('2048')
-  await dialog.getByLabel('Height').fill('2048')
-  await dialog.getByRole('button', { name: 'Create' }).click()
+  await createMap(page, 2048, 2048)
   await expect(map.element).toHaveAttribute('data-status', 'reached', { timeout: 20_000 })
   const values = await told
   expect(values.length).toBeGreaterThan(0)
@@ -107,7 +100,7 @@ test('progress is told in numbers where the planner knows them', async ({ map, p
 test('after many quick edits the plan of the last one stands', async ({ map, page }) => {
   await openMap(page, randomMap)
   for (const { id } of planners) {
-    await page.getByRole('combobox', { name: 'Planner', exact: true }).selectOption(id)
+    await plannerSelect(page).selectOption(id)
     await map.drag([
       [20, 2],
       [28, 36],

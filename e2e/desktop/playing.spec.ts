@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test'
-import { expectSaid, openMap } from '../actions'
+import { chooseFromMapMenu, expectSaid, openMap } from '../actions'
 import { expect, test } from '../fixtures'
 import {
   expectReason,
@@ -189,8 +189,7 @@ test('the speed is there again after a reload', async ({ page }) => {
 
 test('without a plan on screen there is nothing to step through', async ({ page }) => {
   await openMap(page, 'S..G\n....')
-  await page.getByRole('button', { name: 'Map', exact: true }).click()
-  await page.getByRole('menuitem', { name: 'Clear path' }).click()
+  await chooseFromMapMenu(page, 'Clear path')
   await expect(playback(page).getByText('No steps')).toBeVisible()
   await expect(scrubber(page)).toBeDisabled()
   await press(page, '.')

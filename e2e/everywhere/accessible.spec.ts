@@ -1,11 +1,10 @@
 import { expectAccessible } from '../accessibility'
-import { chooseFromMapMenu, choosePlanner, dropFile } from '../actions'
+import { chooseFromMapMenu, choosePlanner, dropFile, unfold } from '../actions'
 import { expect, test } from '../fixtures'
 
 test('axe finds nothing in the cards, the menu and the messages', async ({ page }) => {
   for (const card of ['planner', 'result']) {
-    const fold = page.getByRole('button', { name: `Fold the ${card} card` })
-    if ((await fold.getAttribute('aria-expanded')) === 'false') await fold.click()
+    await unfold(page, card)
     await expectAccessible(page)
   }
   await dropFile(page, 'broken.json', '{')
@@ -34,8 +33,7 @@ test('axe finds nothing in the dialogs', async ({ page }) => {
   await chooseFromMapMenu(page, 'Scenarios…')
   await close('Scenarios')
   await choosePlanner(page, 'Probabilistic roadmap')
-  const fold = page.getByRole('button', { name: 'Fold the planner card' })
-  if ((await fold.getAttribute('aria-expanded')) === 'false') await fold.click()
+  await unfold(page, 'planner')
   await page.getByRole('button', { name: 'What it is and promises' }).click()
   await close('Probabilistic roadmap')
 })

@@ -1,5 +1,5 @@
 import { themes } from '../../src/render/theme'
-import { choosePlanner, expectResult, openMap } from '../actions'
+import { choosePlanner, expectResult, inPlannerCard, openMap } from '../actions'
 import { expect, test } from '../fixtures'
 
 const themeOf = (colorScheme: string | null | undefined) =>
@@ -109,13 +109,11 @@ test('potentials as heat, and as numbers where cells are large, behind a switch'
   await expect.poll(async () => (await map.coloursIn(1, 0)).size).toBe(1)
   await page.getByRole('button', { name: 'Show the whole map' }).click()
 
-  const fold = page.getByRole('button', { name: 'Fold the planner card' })
-  const wasFolded = (await fold.getAttribute('aria-expanded')) === 'false'
-  if (wasFolded) await fold.click()
-  const potentials = page.getByRole('switch', { name: 'Show potentials' })
-  await expect(potentials).toBeChecked()
-  await potentials.press('Space')
-  if (wasFolded) await fold.click()
+  await inPlannerCard(page, async () => {
+    const potentials = page.getByRole('switch', { name: 'Show potentials' })
+    await expect(potentials).toBeChecked()
+    await potentials.press('Space')
+  })
   await map.expectColour([0.42, 2.42], theme.cell.free)
   await expect.poll(async () => (await map.coloursIn(1, 0)).size).toBe(1)
 })

@@ -1,4 +1,4 @@
-import { choosePlanner, drawnRows, expectResult, openMap } from '../actions'
+import { choosePlanner, drawnRows, expectResult, openMap, plannerSelect } from '../actions'
 import { expect, test } from '../fixtures'
 
 const ROWS = `
@@ -106,7 +106,7 @@ test('the cards lie folded at the bottom, and one at a time comes up', async ({ 
 
   await page.getByRole('heading', { name: 'Grid decomposition' }).tap()
   await expect(planner).toHaveAttribute('aria-expanded', 'true')
-  await page.getByRole('combobox', { name: 'Planner', exact: true }).selectOption('bug1')
+  await plannerSelect(page).selectOption('bug1')
   await expect(page.getByLabel('Turn')).toBeInViewport()
   await page.getByRole('heading', { name: 'Reached in 6 cells' }).tap()
   await expect(planner).toHaveAttribute('aria-expanded', 'false')
