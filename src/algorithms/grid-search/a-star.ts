@@ -32,7 +32,7 @@ export function aStar({ problem, legal, cost, tape, lines, progress }: SearchTas
   states[start] = OPEN | NO_DIRECTION
   weights[start] = 0
   openCells.begin(start, estimate(start))
-  record?.begin(start)
+  record?.begin(start, goal)
   for (let cell = openCells.pop(); cell >= 0; cell = openCells.pop()) {
     const state = states[cell]
     // A cell that was improved waits in a later place too.
@@ -42,7 +42,6 @@ export function aStar({ problem, legal, cost, tape, lines, progress }: SearchTas
     if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
     if (cell === goal) {
       record?.closed(cell, 0, weight)
-      record?.least(cell, openCells.least)
       return { path: wayBack(start, goal, memory, offsets), expanded }
     }
     let opened: Directions = 0
@@ -61,7 +60,6 @@ export function aStar({ problem, legal, cost, tape, lines, progress }: SearchTas
       opened |= 1 << direction
     }
     record?.closed(cell, opened, weight)
-    record?.least(cell, openCells.least)
   }
   return { path: new Int32Array(0), expanded }
 }

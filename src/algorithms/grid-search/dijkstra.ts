@@ -33,7 +33,7 @@ export function dijkstra({ problem, legal, cost, tape, lines, progress }: Search
   states[start] = OPEN | NO_DIRECTION
   weights[start] = 0
   bucket.push(start)
-  record?.begin(start)
+  record?.begin(start, null)
   for (let units = 0; bucket.count + next.count > 0; units++) {
     const least = units << 29
     for (let i = 0; i < bucket.count; i++) {

@@ -34,7 +34,7 @@ export function jumpPointSearch({
   vertices.states[first] = OPEN | NO_DIRECTION
   vertices.weights[first] = 0
   openCells.begin(first, estimate(start))
-  record?.begin(start)
+  record?.begin(start, goal)
 
   const reach = (to: number, arrival: Direction, weight: number, from: number, d: Direction) => {
     if (vertices.states[to] !== 0 && weight >= vertices.weights[to]) return
@@ -55,7 +55,6 @@ export function jumpPointSearch({
     const weight = vertices.weights[vertex]
     if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
     record?.closed(cell, 0, weight)
-    record?.least(cell, openCells.least)
     if (vertex === last) {
       return { path: wayBackOverJumps(graph, problem, legal, goalInSight), expanded }
     }
