@@ -9,7 +9,7 @@ import { LEFT_OUT, type Thinning } from './thinning'
 const MOST_EVENTS = 10_000_000
 
 /** Events are kept in chunks of so many, so that nothing is copied when a tape grows. */
-const CHUNK_BITS = 12
+const CHUNK_BITS = 11
 const CHUNK = 1 << CHUNK_BITS
 const PLACE = CHUNK - 1
 
