@@ -86,6 +86,7 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   let least = isStarred ? estimate(start) : 0
   let expanded = 0
 
+  states.fill(0, 0, grid.walls.length)
   states[start] = OPEN
   weights[start] = 0
   parents[start] = -1
@@ -134,7 +135,12 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
 }
 
 /** The cells from the start to the goal: the simplest paths of the edges, one after the other. */
-function joinCells(width: number, goal: Cell, parents: Int32Array, states: Uint8Array): Int32Array {
+function joinCells(
+  width: number,
+  goal: Cell,
+  parents: Int32Array,
+  states: Uint16Array,
+): Int32Array {
   const backwards: Cell[] = [goal]
   for (let vertex = goal; parents[vertex] >= 0; vertex = parents[vertex]) {
     const parent = parents[vertex]

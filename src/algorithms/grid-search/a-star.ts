@@ -1,7 +1,7 @@
 import { stepOffsets } from '../../grid/directions'
 import type { Directions } from '../../grid/steps'
 import { DIAGONAL_WEIGHT, weightsTo } from '../costs'
-import { CLOSED, DIRECTION, memoryFor, OPEN, openCells } from './memory'
+import { CLOSED, DIRECTION_SHIFT, LEGAL, memoryFor, OPEN, openCells, STEPS } from './memory'
 import { Recorder } from './recorder'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
 import { NO_DIRECTION, successorsUnder } from './successors'
@@ -29,7 +29,8 @@ export function aStar({ problem, legal, cost, tape, lines, progress }: SearchTas
   const { states, weights } = memory
   const record = tape && new Recorder(tape, lines, cost)
   let expanded = 0
-  states[start] = OPEN | NO_DIRECTION
+  states.set(legal)
+  states[start] |= OPEN | (NO_DIRECTION << DIRECTION_SHIFT)
   weights[start] = 0
   openCells.begin(start, estimate(start))
   record?.begin(start, goal)
@@ -45,7 +46,7 @@ export function aStar({ problem, legal, cost, tape, lines, progress }: SearchTas
       return { path: wayBack(start, goal, memory, offsets), expanded }
     }
     let opened: Directions = 0
-    let steps = successors[((state & DIRECTION) << 8) | legal[cell]]
+    let steps = successors[state & STEPS]
     while (steps !== 0) {
       const direction = 31 - Math.clz32(steps & STRAIGHT || steps)
       steps ^= 1 << direction
@@ -53,8 +54,8 @@ export function aStar({ problem, legal, cost, tape, lines, progress }: SearchTas
       const known = states[neighbour]
       if (known & CLOSED) continue
       const longer = weight + (direction & 1 ? diagonalWeight : 1)
-      if (known !== 0 && longer >= weights[neighbour]) continue
-      states[neighbour] = OPEN | direction
+      if (known & OPEN && longer >= weights[neighbour]) continue
+      states[neighbour] = OPEN | (direction << DIRECTION_SHIFT) | (known & LEGAL)
       weights[neighbour] = longer
       openCells.push(neighbour, longer + estimate(neighbour))
       opened |= 1 << direction
