@@ -1,18 +1,11 @@
 import { stepOffsets } from '../../grid/directions'
 import type { Directions } from '../../grid/steps'
 import { DIAGONAL_WEIGHT } from '../costs'
-import { CLOSED, DIRECTION_SHIFT, LEGAL, memoryFor, OPEN, STEPS } from './memory'
+import { CLOSED, DIRECTION_SHIFT, LEGAL, memoryFor, OPEN, STEPS, UNIT } from './memory'
 import { Recorder } from './recorder'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
 import { NO_DIRECTION, successorsUnder } from './successors'
 import { wayBack } from './way-back'
-
-/**
- * A unit of weight. Weights are kept as whole numbers modulo 2^32: those of cells that wait differ by
- * less than three units, so their difference still tells which one is less, and half as much memory
- * goes through the processor.
- */
-const UNIT = 1 << 29
 
 /**
  * Dijkstra's algorithm without a heap: cells wait in buckets one unit of weight wide. No step weighs

@@ -15,12 +15,19 @@ export const STEPS = 0xfff
 /** The direction in a state. */
 export const directionIn = (state: number): number => (state & STEPS) >> DIRECTION_SHIFT
 
+/**
+ * A unit of weight, where weights are whole numbers, modulo 2^32: those of cells that wait differ by
+ * less than three units, so their difference still tells which one is less, and half as much memory
+ * goes through the processor.
+ */
+export const UNIT = 1 << 29
+
 /** Working memory of a search over cells. What is in it is of the search before. */
 export interface Memory {
   readonly states: Uint16Array
   /** Weight of the best path known to each cell that was reached; anything for the others. */
   readonly weights: Float64Array
-  /** The same memory for weights that are whole numbers. */
+  /** The same memory for weights in whole numbers, see UNIT. */
   readonly wholeWeights: Int32Array
   /** Empty ones. */
   readonly buckets: readonly [Bucket, Bucket, Bucket]
