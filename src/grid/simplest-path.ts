@@ -15,6 +15,19 @@ export function distance(a: Point, b: Point): number {
   return Math.max(Math.abs(a.x - b.x), Math.abs(a.y - b.y))
 }
 
+/** Cost of the simplest path between two cells of a map; a straight step costs 1. */
+export function simplestPathCost(a: Cell, b: Cell, width: number, diagonalCost: number): number {
+  const aboveA = Math.floor(a / width)
+  const aboveB = Math.floor(b / width)
+  const across = Math.abs(a - aboveA * width - (b - aboveB * width))
+  return costAcross(across, Math.abs(aboveA - aboveB), diagonalCost - 1)
+}
+
+/** The same by how many columns and rows they are apart; a diagonal step costs 1 + `more`. */
+export function costAcross(across: number, down: number, more: number): number {
+  return across > down ? across + more * down : down + more * across
+}
+
 /**
  * `distance` between cells, for inner loops.
  * @param share 1 / width of the map

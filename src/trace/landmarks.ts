@@ -3,7 +3,14 @@ import { kindTable } from './kind-table'
 import type { Tape } from './tape'
 
 /** Events that tell more of the event before them, so that no step ends between the two. */
-export const isAttached = kindTable([EVENT.turn, EVENT.feel, EVENT.sense, EVENT.value, EVENT.node])
+export const isAttached = kindTable([
+  EVENT.turn,
+  EVENT.feel,
+  EVENT.sense,
+  EVENT.value,
+  EVENT.estimate,
+  EVENT.node,
+])
 
 /** Events of which all that follow one another make one step: cell by cell would be tedious. */
 const isRun = kindTable([EVENT.mLine, EVENT.path])
