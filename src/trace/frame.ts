@@ -19,10 +19,10 @@ export interface Refusal {
   readonly at: Cell
 }
 
-/** How a search reckons what is left from a cell: the simplest path to `goal`. */
+/** The estimate of a search like A*: from each cell the cost of the simplest path to `goal` is left. */
 export interface Estimate {
   readonly goal: Cell
-  /** The planner's variable that is the cost of the latest closed cell and what is left from it. */
+  /** The planner's variable that is the sum of the latest closed cell's cost and its estimate. */
   readonly variable: number
 }
 
@@ -46,7 +46,7 @@ export interface Frame {
   open: number
   closed: number
   cost: number
-  /** Null in a search that reckons nothing. */
+  /** Null in a search without an estimate. */
   estimate: Estimate | null
   /** How many rows of the map were made vertices of its graph. */
   rows: number

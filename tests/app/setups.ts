@@ -3,9 +3,15 @@ import { defaultPreferences } from '../../src/app/preferences'
 import type { Setup } from '../../src/app/setup'
 import { settingsOf } from '../../src/app/setup'
 import { initialState, type Shown, type State } from '../../src/app/state'
+import { planArrived } from '../../src/app/transitions'
 import { problemFromText } from '../../src/grid/text-map'
 import { foldWhole } from '../../src/trace/checkpoints'
 import { Tape } from '../../src/trace/tape'
+
+/** Bug2 goes round the hook in several steps and landmarks. */
+export const HOOK = ['S......', '.####..', '....#..', '.####..', '......G'].join('\n')
+/** The same with one more obstacle, far from where the first landmarks are. */
+export const LONGER_HOOK = ['S......', '.####..', '....#..', '.#####.', '......G'].join('\n')
 
 export function setupFrom(text: string, plannerId = 'decomposition'): Setup {
   return { problem: problemFromText(text), plannerId, params: {}, seed: 1 }
@@ -24,6 +30,13 @@ export function planned(setup: Setup): Shown {
   const outcome = plan(problem, plannerId, { params: settingsOf(setup), seed, tape })
   const { last, checkpoints } = foldWhole(tape)
   return { setup, outcome, tape, last, checkpoints, milliseconds: 1, instant: false }
+}
+
+/** A plan on screen. */
+export function shownState(text: string, plannerId = 'bug2'): State & { readonly shown: Shown } {
+  const setup = setupFrom(text, plannerId)
+  const shown = planned(setup)
+  return { ...planArrived({ ...stateFrom(text), setup, committed: setup }, shown), shown }
 }
 
 /** The cells that are obstacles. */

@@ -1,17 +1,9 @@
 import { describe, expect, it } from 'vitest'
-import { cursorOn, endWelcome } from '../../src/app/arrival'
 import { Moments } from '../../src/app/moment'
-import { tempoOf, WELCOME } from '../../src/app/speeds'
-import { type Shown, type State, THE_END } from '../../src/app/state'
-import { placeOf, stepAt, timelineOf, timeOfPlace } from '../../src/app/timeline'
-import {
-  change,
-  changeMap,
-  edit,
-  hidePath,
-  planArrived,
-  planStarted,
-} from '../../src/app/transitions'
+import { tempoOf } from '../../src/app/speeds'
+import { type State, THE_END } from '../../src/app/state'
+import { stepAt, timelineOf } from '../../src/app/timeline'
+import { hidePath } from '../../src/app/transitions'
 import {
   chooseSpeed,
   played,
@@ -25,18 +17,7 @@ import {
   toStep,
 } from '../../src/app/transport'
 import { frameAt } from '../../src/trace/fold'
-import { planned, setupFrom, stateFrom } from './setups'
-
-const HOOK = ['S......', '.####..', '....#..', '.####..', '......G'].join('\n')
-/** The same with one more obstacle, far from where the first landmarks are. */
-const LONGER_HOOK = ['S......', '.####..', '....#..', '.#####.', '......G'].join('\n')
-
-/** A plan on screen. */
-function shownState(text: string, plannerId = 'bug2'): State & { readonly shown: Shown } {
-  const setup = setupFrom(text, plannerId)
-  const shown = planned(setup)
-  return { ...planArrived({ ...stateFrom(text), setup, committed: setup }, shown), shown }
-}
+import { HOOK, shownState } from './setups'
 
 const begin = shownState(HOOK)
 const { tape } = begin.shown
@@ -135,81 +116,5 @@ describe('playing', () => {
     expect(chooseSpeed(playing, 30)).toMatchObject({ time: 7, playing: tempoOf(30) })
     expect(chooseSpeed(begin, 'moment').playing).toBeNull()
     expect(togglePlay(chooseSpeed(begin, 'moment')).playing).toEqual(tempoOf('moment'))
-  })
-})
-
-describe('the place on another tape', () => {
-  const other = timelineOf(shownState(LONGER_HOOK).shown.tape)
-
-  it('is the same place on the same tape', () => {
-    for (const time of steps) expect(timeOfPlace(timeline, placeOf(timeline, time))).toBe(time)
-  })
-
-  it('lies after as many landmarks and steps', () => {
-    for (const time of steps.subarray(0, -1)) {
-      const place = placeOf(timeline, time)
-      if (place.landmarks >= other.landmarks.length) continue
-      const there = placeOf(other, timeOfPlace(other, place))
-      expect(there.landmarks).toBe(place.landmarks)
-      const room = { landmarks: place.landmarks, steps: Number.MAX_SAFE_INTEGER }
-      const most = placeOf(other, timeOfPlace(other, room)).steps
-      expect(there.steps).toBe(Math.min(place.steps, most))
-    }
-  })
-
-  it('is the end if there are not so many landmarks', () => {
-    const short = timelineOf(shownState('S..\n...\n..G').shown.tape)
-    expect(timeOfPlace(short, { landmarks: 5, steps: 2 })).toBe(short.steps.at(-1))
-  })
-})
-
-describe('a new plan', () => {
-  const longer = shownState(LONGER_HOOK).setup
-  const arrive = (state: State, setup = longer) =>
-    planArrived(planStarted(edit(state, setup)), planned(setup), WELCOME)
-
-  it('is played if the cursor was at the end', () => {
-    expect(arrive(begin)).toMatchObject({ time: 0, playing: WELCOME, kept: null })
-    const atOnce = planArrived(edit(begin, longer), planned(longer), null)
-    expect(atOnce).toMatchObject({ time: THE_END, playing: null })
-  })
-
-  it('keeps the place of a cursor in the middle', () => {
-    const hit = toNextLandmark(toFirst(begin))
-    const state = arrive(stepForward(stepForward(hit)))
-    const there = timelineOf(planned(longer).tape)
-    expect(placeOf(there, state.time)).toEqual({ landmarks: 1, steps: 2 })
-    expect(state.playing).toBeNull()
-  })
-
-  it('keeps the place where the cursor was put, whatever plans come in between', () => {
-    const put = stepBack(toLast(begin))
-    const free = setupFrom('S......\n.......\n.......\n.......\n......G', 'bug2')
-    const between = arrive(put, free)
-    expect(between.time).toBe(THE_END)
-    expect(arrive(between, begin.setup).time).toBe(put.time)
-    const moved = toFirst(between)
-    expect(arrive(moved, begin.setup).time).toBe(0)
-  })
-
-  it('goes on being played from the same place', () => {
-    const playing = played(togglePlay(toFirst(begin)), steps[4])
-    const state = arrive(playing)
-    expect(state.playing).toBe(playing.playing)
-    expect(state.time).toBeLessThan(THE_END)
-  })
-
-  it('of another planner or on another map is seen to its end', () => {
-    const middle = toStep(begin, 4)
-    expect(arrive(middle, { ...longer, plannerId: 'bug1' })).toMatchObject({ playing: WELCOME })
-    const opened = changeMap(middle, longer, 'Opened.')
-    expect(cursorOn(opened, planned(longer), WELCOME)).toMatchObject({ playing: WELCOME })
-  })
-
-  it('comes to its end at once when the next edit begins', () => {
-    const welcomed = arrive(begin)
-    const edited = change(welcomed, begin.setup, 'Erased.')
-    expect(edited).toMatchObject({ time: THE_END, playing: null })
-    expect(endWelcome(begin)).toBe(begin)
   })
 })

@@ -2,50 +2,15 @@ import { describe, expect, it } from 'vitest'
 import { plan } from '../../../src/algorithms/plan'
 import { openText } from '../../../src/app/experiments/open-files'
 import { addressOf } from '../../../src/app/experiments/open-in-playground'
-import { presets } from '../../../src/app/experiments/presets'
 import { mapInWords, runInWords } from '../../../src/app/experiments/run-words'
-import { initialState } from '../../../src/app/experiments/state'
 import { sortSummary, summarize } from '../../../src/app/experiments/summary-table'
-import {
-  addEntry,
-  addMaps,
-  editList,
-  removeEntry,
-  runEnded,
-  runProgressed,
-  runStarted,
-  showResults,
-  toggleSeries,
-} from '../../../src/app/experiments/transitions'
+import { showResults } from '../../../src/app/experiments/transitions'
 import { setupInLink } from '../../../src/app/link'
-import { defaultPreferences } from '../../../src/app/preferences'
 import { settingsOf } from '../../../src/app/setup'
 import { resultsToCsv } from '../../../src/experiments/results-csv'
 import { resultsToJson, resultsToLines } from '../../../src/experiments/results-json'
-import { runMap } from '../../../src/experiments/run-map'
-import { countWork, type ExperimentSettings } from '../../../src/experiments/settings'
 import { saveSettings } from '../../../src/experiments/settings-check'
-import { WHOLE } from '../../../src/experiments/shards'
-
-const settings: ExperimentSettings = {
-  ...presets[0].settings,
-  families: [
-    { family: 'random', params: { density: [10, 40] } },
-    {
-      family: 'maps',
-      params: {},
-      maps: [{ name: 'corner.map', rows: ['......', '.####.', '....#.', '......'] }],
-    },
-  ],
-  sizes: [[12, 9]],
-  leastDistance: 4,
-  mapsPerCombination: 4,
-}
-const rows = Array.from({ length: countWork(settings).maps }, (_, map) =>
-  runMap(settings, map),
-).flat()
-const results = { settings, shard: WHOLE, rows }
-const state = initialState(defaultPreferences)
+import { results, rows, settings, state } from './small-experiment'
 
 describe('a run opened in the playground', () => {
   it('ends as its row says, on generated and on opened maps', () => {
@@ -136,69 +101,5 @@ describe('the summary', () => {
     for (const descending of [false, true]) {
       expect(sortSummary(lines, 'medianRatio', descending).at(-1)?.medianRatio).toBeNaN()
     }
-  })
-})
-
-describe('the state of the page', () => {
-  it('begins with settings that can be run', () => {
-    expect(state.checked.kind).toBe('settings')
-  })
-
-  it('adds, edits and removes families and planners', () => {
-    const added = addEntry(state, 'planners', 'bug1')
-    const { key } = added.draft.planners[added.draft.planners.length - 1]
-    expect(added.checked).toMatchObject({ fault: { field: 'planners', text: /twice/ } })
-    const edited = editList(added, 'planners', key, 'turn', ['right'])
-    expect(edited.checked.kind).toBe('settings')
-    expect(edited.formMade).toBe(added.formMade)
-    expect(removeEntry(edited, 'planners', key).draft).toEqual(state.draft)
-  })
-
-  it('has all opened maps in one family', () => {
-    const map = { name: 'a', rows: ['..', '..'] }
-    const once = addMaps(state, [map])
-    const twice = addMaps(once, [map, map])
-    expect(twice.draft.families.map(({ maps }) => maps.length)).toEqual([0, 3])
-  })
-
-  it('tells the progress at each quarter only', () => {
-    let running = runStarted(state, 100)
-    const said = new Set<string>()
-    for (let done = 1; done <= 100; done++) {
-      running = runProgressed(running, done, 1000)
-      said.add(running.said)
-    }
-    expect(said.size).toBe(4)
-    expect(running.run).toMatchObject({ done: 100, total: 100 })
-  })
-
-  it('keeps the first maps of a run that was cancelled', () => {
-    const running = runStarted(state, countWork(settings).maps)
-    const perMap = countWork(settings).settings
-    const ended = runEnded(running, { ...results, rows: rows.slice(0, 5 * perMap) })
-    expect(ended.run.kind).toBe('idle')
-    expect(ended.shown).toMatchObject({ maps: 5, total: countWork(settings).maps })
-  })
-
-  it('keeps the results of the run before if none of this are there', () => {
-    const before = showResults(state, results)
-    const ended = runEnded(runStarted(before, 10), { ...results, rows: [] })
-    expect(ended.shown).toBe(before.shown)
-    expect(ended.run.kind).toBe('idle')
-  })
-
-  it('begins with few enough lines where planners have many settings', () => {
-    expect(showResults(state, results).hidden.size).toBe(0)
-    const sectionV = presets[1].settings
-    const shown = showResults(state, { settings: sectionV, shard: WHOLE, rows: [] })
-    const lines = countWork(sectionV).settings - shown.hidden.size
-    expect(lines).toBeGreaterThanOrEqual(8)
-    expect(lines).toBeLessThanOrEqual(14)
-  })
-
-  it('leaves a series out, and brings it back', () => {
-    const out = toggleSeries(state, 'Bug1')
-    expect([...out.hidden]).toEqual(['Bug1'])
-    expect(toggleSeries(out, 'Bug1').hidden.size).toBe(0)
   })
 })

@@ -1,0 +1,26 @@
+import { presets } from '../../../src/app/experiments/presets'
+import { initialState } from '../../../src/app/experiments/state'
+import { defaultPreferences } from '../../../src/app/preferences'
+import { runMap } from '../../../src/experiments/run-map'
+import { countWork, type ExperimentSettings } from '../../../src/experiments/settings'
+import { WHOLE } from '../../../src/experiments/shards'
+
+export const settings: ExperimentSettings = {
+  ...presets[0].settings,
+  families: [
+    { family: 'random', params: { density: [10, 40] } },
+    {
+      family: 'maps',
+      params: {},
+      maps: [{ name: 'corner.map', rows: ['......', '.####.', '....#.', '......'] }],
+    },
+  ],
+  sizes: [[12, 9]],
+  leastDistance: 4,
+  mapsPerCombination: 4,
+}
+export const rows = Array.from({ length: countWork(settings).maps }, (_, map) =>
+  runMap(settings, map),
+).flat()
+export const results = { settings, shard: WHOLE, rows }
+export const state = initialState(defaultPreferences)
