@@ -161,7 +161,7 @@ describe('a loop', () => {
   it('began where the rover stood at the same place', () => {
     const before = momentAt(toStep(state, loopBegan(moment) ?? -1))
     expect(before.frame.rover).toBe(moment.frame.rover)
-    expect(moment.shown.outcome.reason).toContain(`step ${before.frame.trail.length - 1}`)
+    expect(moment.shown.outcome.reason).toContain(`after ${before.frame.trail.length - 1} steps`)
   })
 })
 
@@ -178,6 +178,6 @@ describe('what is known of a cell, in words', () => {
     }
     expect(words('decomposition', 1)).toBe('Vertex; closed, cost 1 by way of (0, 0).')
     expect(words('potential-field', 24)).toMatch(/^Attraction 0; repulsion 0; potential 0/)
-    expect(words('bug2', 0)).toMatch(/^Hit point 1; cell 0 of the m-line; stood on after step 0;/)
+    expect(words('bug2', 0)).toMatch(/^Hit point 1; cell 0 of the m-line; stood on after 0 steps;/)
   })
 })
