@@ -98,7 +98,8 @@ test('what each planner is, what it needs and what it promises', async ({ page }
     const about = page.getByRole('dialog', { name: planner.title, exact: true })
     await expect(about.getByText(planner.promise)).toBeVisible()
     await expect(about.getByText(planner.source)).toBeVisible()
-    await expect(about.getByRole('listitem')).toHaveText([...planner.pseudocode])
+    const lines = await about.getByRole('listitem').allInnerTexts()
+    expect(lines, 'the pseudocode with its indents').toEqual(planner.pseudocode)
     await about.getByRole('button', { name: 'Close' }).click()
     await expect(about).toBeHidden()
   }

@@ -72,9 +72,9 @@ export function mapKey({ key, command, shift }: KeyPress, cursorShown: boolean):
     case '-':
       return (state) => zoomed(state, 1 / ZOOM_STEP)
     case '0':
-      return fitToRoom
+      return wholeMapShown
     case 'Escape':
-      return hideCursor
+      return cursorHidden
     default:
       return null
   }
@@ -86,8 +86,16 @@ export function zoomed(state: State, factor: number): State {
   const { grid } = setup.problem
   const rect = cursorShown ? cellRect(view, grid, cursor) : roomForMap(screen, covered, grid)
   const [x, y] = [rect.left + rect.width / 2, rect.top + rect.height / 2]
-  return look(state, zoomAt(view, factor, x, y, grid))
+  const text = factor > 1 ? 'Zoomed in.' : 'Zoomed out.'
+  return say(look(state, zoomAt(view, factor, x, y, grid)), text)
 }
+
+export const wholeMapShown = (state: State): State =>
+  say(fitToRoom(state), 'The whole map is shown.')
+
+/** Said because Space and arrows do something else from now on. */
+const cursorHidden = (state: State): State =>
+  state.cursorShown ? say(hideCursor(state), 'The cursor is hidden.') : state
 
 function moved(state: State, direction: Direction): State {
   const { grid } = state.setup.problem
