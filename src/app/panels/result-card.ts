@@ -3,6 +3,7 @@ import { type IconName, setIcon } from '../icons'
 import type { Planning } from '../planning'
 import { plannerOf } from '../setup'
 import type { State } from '../state'
+import { PATH_HIDDEN } from '../transitions'
 import { outcomeInWords, outcomeNumbers, type Row, reasonInWords, toneOf } from '../words'
 import { showRows } from './rows'
 
@@ -31,8 +32,7 @@ export function reportOf({ run, shown, pathHidden, setup }: State): Report {
   }
   if (!shown) return { tone: 'busy', words: 'No plan yet', detail: '', rows: NO_ROWS }
   if (pathHidden) {
-    const detail = 'The path is hidden until the next change.'
-    return { tone: 'busy', words: 'Path cleared', detail, rows: NO_ROWS }
+    return { tone: 'clear-path', words: 'Path cleared', detail: PATH_HIDDEN, rows: NO_ROWS }
   }
   const { outcome, milliseconds } = shown
   const planner = plannerOf(shown.setup)
