@@ -57,6 +57,7 @@ export const bug2 = onlinePlanner({
       params.leave === 'closer' ? met > hit : met >= 0 && met !== hit
     const stepsAtHit = new Map<number, number>()
     noteMLine(start, goal, notes.at(line.mLine))
+    notes.value(INDEX, 0)
     rover.sense()
     while (!isAtGoal()) {
       const ahead = simplestStep(rover.position, goal)

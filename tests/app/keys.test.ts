@@ -51,6 +51,11 @@ describe('the keyboard on the map', () => {
     expect(state.setup).toBe(begin.setup)
     expect(state).toMatchObject({ cursor: 5, cursorShown: true })
     expect(obstaclesOf(type(state, 'Enter').setup)).toEqual([3, 5])
+    for (const key of ['s', 'g']) {
+      const shown = type({ ...hidden, cursor: 5 }, key)
+      expect(shown.setup).toBe(begin.setup)
+      expect(shown).toMatchObject({ cursor: 5, cursorShown: true })
+    }
   })
 
   it('sets start and goal, but not on obstacles', () => {

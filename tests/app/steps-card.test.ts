@@ -5,6 +5,7 @@ import { codeSection } from '../../src/app/code-section'
 import { loopBegan } from '../../src/app/loop'
 import { type Moment, Moments } from '../../src/app/moment'
 import { numberInWords } from '../../src/app/numbers'
+import { maps } from '../../src/app/scenario-maps'
 import { scoreOf } from '../../src/app/score'
 import { plannerOf, valuesOf } from '../../src/app/setup'
 import { stepNumbers } from '../../src/app/step-numbers'
@@ -125,6 +126,19 @@ describe('the numbers of a step', () => {
     expect(seen).toContain('none')
     expect(seen).toContain('4')
     expect(seen).not.toContain('-1')
+  })
+
+  it('are those of this boundary from its hit point on, not of the one before', () => {
+    const state = stateOf('bug1', maps.fig11)
+    const { steps } = scoreOf(momentAt(state).shown.tape)
+    const hits = Array.from(steps, (_, step) => momentAt(toStep(state, step))).filter((moment) =>
+      stepInWords(moment).includes('hit point'),
+    )
+    const [here, least] = ['Distance to the goal', 'Least distance on this boundary'].map((label) =>
+      hits.map((moment) => stepNumbers(moment).find((row) => row.label === label)?.value),
+    )
+    expect(here).toEqual(['13', '8'])
+    expect(least).toEqual(here)
   })
 
   it.each([
