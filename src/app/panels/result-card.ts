@@ -55,6 +55,8 @@ export function resultCard(planning: Planning): (state: State) => void {
   const table = byId('result-numbers', HTMLTableElement)
   const sign = card.querySelector<SVGSVGElement>('#result-icon')
   const bar = progress.querySelector<HTMLElement>('[role=progressbar]')
+  const fold = card.querySelector<HTMLElement>('[data-fold]')
+  const isSeen = (button: HTMLElement | null) => (button?.getClientRects().length ?? 0) > 0
   cancel.addEventListener('click', planning.cancel)
   again.addEventListener('click', planning.ask)
 
@@ -62,6 +64,7 @@ export function resultCard(planning: Planning): (state: State) => void {
     const report = reportOf(state)
     const { run } = state
     const isSlow = run.kind === 'running' && run.slow
+    const focused = [cancel, again].find((button) => button === document.activeElement)
     card.dataset.tone = report.tone
     if (sign) setIcon(sign, report.tone)
     setText(words, report.words)
@@ -72,6 +75,8 @@ export function resultCard(planning: Planning): (state: State) => void {
       showProgress(bar, run.done)
     }
     again.hidden = run.kind !== 'cancelled' && run.kind !== 'failed'
+    // The button that was pressed goes, and the focus would go with it.
+    if (focused && !isSeen(focused)) [again, cancel, fold].find(isSeen)?.focus()
     showRows(table, report.rows)
   }
 }
