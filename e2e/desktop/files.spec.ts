@@ -183,6 +183,21 @@ test('an error is over once a map was opened', async ({ page }) => {
   await expect(page.getByRole('alert')).toBeHidden()
 })
 
+test('messages that are closed with the keyboard give the focus back', async ({ page }) => {
+  await openFile(page, 'one.txt', 'no map')
+  await openFile(page, 'two.txt', 'no map')
+  const closers = page.getByRole('button', { name: 'Close this message' })
+  await expect(page.getByText(/^two\.txt was not opened/)).toBeVisible()
+  const speed = page.getByLabel('Speed')
+  await speed.focus()
+  while ((await closers.count()) > 0) {
+    await closers.first().focus()
+    await page.keyboard.press('Enter')
+    await expect(page.locator('body')).not.toBeFocused()
+  }
+  await expect(speed).toBeFocused()
+})
+
 test('a message is text, whatever the file holds', async ({ page }) => {
   await dropFile(page, '<b>x</b>.json', '<img src=x onerror=alert(1)>')
   const alert = page.getByRole('alert')
