@@ -123,6 +123,16 @@ test('each planner keeps its own parameters', async ({ page }) => {
   await expect(paramControl(page, 'Turn')).toHaveValue('right')
 })
 
+test('undo of the planner from within its parameters leaves the focus in the card', async ({
+  page,
+}) => {
+  await choosePlanner(page, 'Bug2')
+  await paramControl(page, 'Leave the boundary').focus()
+  await page.keyboard.press('Control+z')
+  await expect(plannerSelect(page)).toHaveValue('tangent-bug')
+  await expect(plannerSelect(page)).toBeFocused()
+})
+
 test('a value out of bounds is refused at its field, and the plan stays', async ({ map, page }) => {
   await choosePlanner(page, 'Tangent Bug')
   await setParam(page, 'Sensor range', 3)
