@@ -50,6 +50,11 @@ export function driveAsInReport(rover: Rover, notes: DriveNotes): DriveAnswer {
     const turn = betterTurn(rover, towards)
     notes.turn(turn)
     const walk = new BoundaryWalk(rover, towards, turn, notes)
+    const noteDistances = () => {
+      notes.value(D_REACH, distance(rover.position, goal))
+      notes.value(D_FOLLOWED, distance(stepped(rover.position, walk.obstacle), goal))
+    }
+    noteDistances()
     if (walk.isBoxedIn) return boxedIn('dead-end', rover.position)
     notes.at(line.followBoundary)
     do {
@@ -60,8 +65,7 @@ export function driveAsInReport(rover: Rover, notes: DriveNotes): DriveAnswer {
         return { status: 'loop', reason }
       }
       walk.step()
-      notes.value(D_REACH, distance(rover.position, goal))
-      notes.value(D_FOLLOWED, distance(stepped(rover.position, walk.obstacle), goal))
+      noteDistances()
     } while (!isAtGoal() && !mayLeave(rover, walk))
     if (!isAtGoal()) notes.at(line.depart).leave()
   }

@@ -128,17 +128,19 @@ describe('the numbers of a step', () => {
     expect(seen).not.toContain('-1')
   })
 
-  it('are those of this boundary from its hit point on, not of the one before', () => {
-    const state = stateOf('bug1', maps.fig11)
+  it.each([
+    ['bug1', 'Distance to the goal', ['13', '8']],
+    ['bug1', 'Least distance on this boundary', ['13', '8']],
+    ['tangent-bug', 'd_reach', ['13', '8']],
+    ['tangent-bug', 'd_followed', ['12', '7']],
+  ])('of %s are those of this boundary from its hit point on: %s', (id, label, values) => {
+    const state = stateOf(id, maps.fig11)
     const { steps } = scoreOf(momentAt(state).shown.tape)
     const hits = Array.from(steps, (_, step) => momentAt(toStep(state, step))).filter((moment) =>
       stepInWords(moment).includes('hit point'),
     )
-    const [here, least] = ['Distance to the goal', 'Least distance on this boundary'].map((label) =>
-      hits.map((moment) => stepNumbers(moment).find((row) => row.label === label)?.value),
-    )
-    expect(here).toEqual(['13', '8'])
-    expect(least).toEqual(here)
+    const value = (moment: Moment) => stepNumbers(moment).find((row) => row.label === label)?.value
+    expect(hits.map(value)).toEqual(values)
   })
 
   it.each([
