@@ -1,4 +1,4 @@
-import { choosePlanner, dropFile, expectResult, openMap, saveMap } from '../actions'
+import { choosePlanner, dropFile, expectResult, openFile, openMap, saveMap } from '../actions'
 import { expect, test } from '../fixtures'
 
 const ROWS = `
@@ -97,6 +97,21 @@ test('an error is over once a map was opened', async ({ page }) => {
   await expect(page.getByRole('alert')).toBeVisible()
   await openMap(page, ROWS)
   await expect(page.getByRole('alert')).toBeHidden()
+})
+
+test('messages that are closed with the keyboard give the focus back', async ({ page }) => {
+  await openFile(page, 'one.txt', 'no map')
+  await openFile(page, 'two.txt', 'no map')
+  const closers = page.getByRole('button', { name: 'Close this message' })
+  await expect(page.getByText(/^two\.txt was not opened/)).toBeVisible()
+  const speed = page.getByLabel('Speed')
+  await speed.focus()
+  while ((await closers.count()) > 0) {
+    await closers.first().focus()
+    await page.keyboard.press('Enter')
+    await expect(page.locator('body')).not.toBeFocused()
+  }
+  await expect(speed).toBeFocused()
 })
 
 test('a message is text, whatever the file holds', async ({ page }) => {
