@@ -1,6 +1,7 @@
 import { InputError } from './errors'
 import { type Cell, cellName, type Grid, MAX_SIDE, MIN_SIDE } from './grid'
 import { DIAGONAL_RULES, type DiagonalRule } from './steps'
+import { wordsOf } from './words'
 
 /** What every planner is asked: the way from start to goal on a map, under one rule. A value. */
 export interface Problem {
@@ -35,14 +36,37 @@ function checkEnd(grid: Grid, name: 'start' | 'goal', cell: Cell): void {
   }
 }
 
+/** Walls that are known to be nothing but 0 and 1: on large maps plans are made again and again. */
+const sound = new WeakSet<Uint8Array>()
+
+function checkWalls({ width, walls }: Grid): void {
+  if (sound.has(walls)) return
+  const words = wordsOf(walls)
+  let bits = 0
+  for (let i = 0; i < words.length; i++) bits |= words[i]
+  for (let cell = 4 * words.length; cell < walls.length; cell++) bits |= walls[cell]
+  if ((bits & 0xfefefefe) !== 0) {
+    const cell = walls.findIndex((wall) => wall > 1)
+    throw new InputError(
+      `The cell ${cellName(width, cell)} is ${walls[cell]}: it must be 0, free, or 1, an obstacle.`,
+    )
+  }
+  sound.add(walls)
+}
+
 /** @throws InputError that says what is wrong with the map, the rule, the start or the goal. */
-export function checkProblem({ grid, start, goal, diagonal }: Problem): void {
+export function checkProblem(problem: Problem): void {
+  if (!(problem?.grid?.walls instanceof Uint8Array)) {
+    throw new InputError('The problem has no map: its "grid" must have "walls", a Uint8Array.')
+  }
+  const { grid, start, goal, diagonal } = problem
   checkSize(grid.width, grid.height)
   if (grid.walls.length !== grid.width * grid.height) {
     throw new InputError(
       `The map has ${grid.walls.length} cells, but ${grid.width} × ${grid.height} make ${grid.width * grid.height}.`,
     )
   }
+  checkWalls(grid)
   if (!DIAGONAL_RULES.includes(diagonal)) {
     throw new InputError(
       `The diagonal rule "${diagonal}" is unknown: use ${DIAGONAL_RULES.join(' or ')}.`,
