@@ -140,7 +140,7 @@ describe('the comparison in the state', () => {
     const words = comparisonInWords(full.comparison)
     const { cells } = entryOf('decomposition').plan
     expect(words).toBe(
-      `Compared: ${reached} of 8 planners reach the goal; the shortest path has ${cells} cells (Grid decomposition).`,
+      `Compared: ${reached} of ${planners.length} planners reach the goal; the shortest path has ${cells} cells (Grid decomposition).`,
     )
     expect(comparisonReady(full, walled).said.text).toBe(words)
     expect(comparisonReady(full, { ...walled, seed: 2 })).toBe(full)
