@@ -1,4 +1,5 @@
 import { openResults } from '../../src/experiments/open-results'
+import { resultsToLines } from '../../src/experiments/results-json'
 import type { Row } from '../../src/experiments/row'
 import { runMap } from '../../src/experiments/run-map'
 import { countWork } from '../../src/experiments/settings'
@@ -43,6 +44,22 @@ test('a run that is cancelled keeps its first maps, and they can be looked at', 
   expect(timeless(rows.slice(0, 20))).toEqual(
     timeless([0, 1, 2].flatMap((map) => runMap(many, map))).slice(0, 20),
   )
+})
+
+test('a run goes on while the results of a shard are looked at, and can be cancelled', async ({
+  page,
+}) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  const many = { ...SMALL, mapsPerCombination: 3000 }
+  await experiments.openFile('many.json', JSON.stringify(many))
+  await page.getByRole('button', { name: 'Run', exact: true }).click()
+  const shard = { index: 2, of: 3 }
+  const rows = Array.from({ length: 14 }, (_, i) => runMap(SMALL, 14 + i)).flat()
+  await experiments.openFile('shard.jsonl', resultsToLines({ settings: SMALL, shard, rows }))
+  await expect(page.getByText('14 maps of shard 2/3, 126 runs, seed 3.')).toBeVisible()
+  await page.getByRole('button', { name: 'Cancel' }).click()
+  await expect(page.getByText(/^The first [\d,]+ of 21,000 maps, .* runs, seed 3\.$/)).toBeVisible()
 })
 
 test('a mark opens the runs that failed, and a run the playground where it failed', async ({

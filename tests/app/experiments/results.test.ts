@@ -187,6 +187,21 @@ describe('the state of the page', () => {
     expect(ended.run.kind).toBe('idle')
   })
 
+  it('goes on while other results are looked at', () => {
+    const running = runProgressed(runStarted(state, 100), 30, 1000)
+    expect(openText(running, resultsToLines(results)).run).toBe(running.run)
+  })
+
+  it('knows how many maps a shard should have', () => {
+    const shard = { index: 2, of: 3 }
+    const { maps } = countWork(settings)
+    const first = Math.floor(maps / 3)
+    const own = rows.filter(({ map }) => map >= first && map < Math.floor((2 * maps) / 3))
+    const { shown } = showResults(state, { settings, shard, rows: own })
+    expect(shown?.maps).toBeGreaterThan(1)
+    expect(shown?.total).toBe(shown?.maps)
+  })
+
   it('begins with few enough lines where planners have many settings', () => {
     expect(showResults(state, results).hidden.size).toBe(0)
     const sectionV = presets[1].settings
