@@ -1,4 +1,5 @@
 import { defineConfig } from 'vite'
+import { inlined } from './scripts/inlined.mjs'
 
 // The planners as a library for Node and other programs, and the programs of the command line.
 export default defineConfig({
@@ -14,6 +15,6 @@ export default defineConfig({
       },
       formats: ['es'],
     },
-    rolldownOptions: { external: /^node:/ },
+    rolldownOptions: { external: /^node:/, optimization: inlined },
   },
 })

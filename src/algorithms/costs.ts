@@ -1,4 +1,5 @@
 import { type Cell, rowOf } from '../grid/grid'
+import { costAcross } from '../grid/simplest-path'
 import type { ChoiceParam } from './params'
 
 export type Cost = 'cells' | 'euclidean'
@@ -31,32 +32,16 @@ export function costOfWeight(cost: Cost, weight: number): number {
   return cost === 'cells' ? Math.floor(weight) : weight
 }
 
-/** The weight of the simplest path so far across and down; a diagonal step weighs 1 + `more`. */
-function weightOf(across: number, down: number, more: number): number {
-  return across > down ? across + more * down : down + more * across
-}
-
 /** The cost of a diagonal step, as the costs of paths are summed up: a straight one costs 1. */
 export function diagonalCost(cost: Cost): number {
   return costOfWeight(cost, DIAGONAL_WEIGHT[cost])
 }
 
 /**
- * Weighs the simplest path between two cells of a map `width` cells wide. No path weighs less,
- * whatever the obstacles.
+ * Weighs the simplest path to one cell from any other of a map `width` cells wide. No path weighs
+ * less, whatever the obstacles. For inner loops: the one cell's place is reckoned once, and nothing
+ * is divided.
  */
-export function simplestPathWeights(cost: Cost, width: number): (a: Cell, b: Cell) => number {
-  const more = DIAGONAL_WEIGHT[cost] - 1
-  return (a, b) => {
-    const aboveA = Math.floor(a / width)
-    const aboveB = Math.floor(b / width)
-    const across = Math.abs(a - aboveA * width - (b - aboveB * width))
-    const down = Math.abs(aboveA - aboveB)
-    return weightOf(across, down, more)
-  }
-}
-
-/** The same to one cell from many, for inner loops: its place is reckoned once, and nothing divided. */
 export function weightsTo(goal: Cell, cost: Cost, width: number): (cell: Cell) => number {
   const more = DIAGONAL_WEIGHT[cost] - 1
   const x = goal % width
@@ -66,6 +51,6 @@ export function weightsTo(goal: Cell, cost: Cost, width: number): (cell: Cell) =
     const above = rowOf(cell, share)
     const across = Math.abs(cell - above * width - x)
     const down = Math.abs(above - y)
-    return weightOf(across, down, more)
+    return costAcross(across, down, more)
   }
 }

@@ -75,19 +75,19 @@ function recordGraph(problem: Problem, legal: Uint8Array, tape: Tape): void {
   for (let y = 0; y < free.length; y++) tape.write(EVENT.row, y * width, free[y])
 }
 
-/** What was counted last, on the map that has these legal steps. */
-let counted: { legal: Uint8Array; free: Int32Array } | null = null
+/** What was counted, by the legal steps of the map. */
+const counted = new WeakMap<Uint8Array, Int32Array>()
 
 /** How many cells of each row are free. */
 function freeInRows({ grid: { width, height, walls } }: Problem, legal: Uint8Array): Int32Array {
-  if (counted?.legal !== legal) {
-    const words = wordsOf(walls)
-    const free = new Int32Array(height).map((_, y) => {
-      return width - countObstacles(walls, words, y * width, (y + 1) * width)
-    })
-    counted = { legal, free }
-  }
-  return counted.free
+  const known = counted.get(legal)
+  if (known) return known
+  const words = wordsOf(walls)
+  const free = new Int32Array(height).map((_, y) => {
+    return width - countObstacles(walls, words, y * width, (y + 1) * width)
+  })
+  counted.set(legal, free)
+  return free
 }
 
 /** Obstacles from one cell up to another. @param words of `walls`, as far as there are any */

@@ -2,10 +2,10 @@ import { stepOffsets } from '../grid/directions'
 import { type Cell, pointOf } from '../grid/grid'
 import { allLegalSteps } from '../grid/legal-steps'
 import type { Problem } from '../grid/problem'
-import { simplestStep } from '../grid/simplest-path'
+import { simplestPathCost, simplestStep } from '../grid/simplest-path'
 import { EVENT } from '../trace/events'
 import type { Tape } from '../trace/tape'
-import { type Cost, costOfWeight, simplestPathWeights } from './costs'
+import { type Cost, diagonalCost } from './costs'
 import type { Roadmap } from './roadmap'
 import type { Outward } from './sight/rays'
 import type { Sight } from './sight/sight'
@@ -40,7 +40,8 @@ export function recordEdges(
   /** How each vertex is joined to the one whose turn it is. */
   const joins = new Uint8Array(problem.grid.walls.length)
   const joined: Cell[] = []
-  const weigh = simplestPathWeights(cost, problem.grid.width)
+  const { width } = problem.grid
+  const diagonal = diagonalCost(cost)
   const join = (vertex: Cell, outward: Outward): void => {
     if (joins[vertex] !== REFUSED) return
     joins[vertex] = outward ? OUTWARD : INWARD
@@ -61,9 +62,9 @@ export function recordEdges(
     for (const to of withRefusals ? vertices.subarray(i + 1) : joined) {
       if (joins[to] === REFUSED) tape.write(EVENT.refuse, from, to, firstRefusal(from, to))
       else {
-        const weight = costOfWeight(cost, weigh(from, to))
-        if (joins[to] === OUTWARD) tape.write(EVENT.edge, from, to, weight)
-        else tape.write(EVENT.edge, to, from, weight)
+        const length = simplestPathCost(from, to, width, diagonal)
+        if (joins[to] === OUTWARD) tape.write(EVENT.edge, from, to, length)
+        else tape.write(EVENT.edge, to, from, length)
       }
       joins[to] = REFUSED
     }

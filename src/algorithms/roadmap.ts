@@ -4,7 +4,7 @@ import type { Problem } from '../grid/problem'
 import { simplestPath } from '../grid/simplest-path'
 import { EVENT, type Status } from '../trace/events'
 import type { Tape } from '../trace/tape'
-import { type Cost, costOfWeight, simplestPathWeights } from './costs'
+import { type Cost, costOfWeight, weightsTo } from './costs'
 import { memoryFor } from './grid-search/memory'
 import type { Answer } from './planner'
 import { pseudocode } from './pseudocode'
@@ -74,7 +74,7 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   }
   tape?.at(lines.open).write(EVENT.phase, -1, 2)
   const isStarred = search === 'a-star'
-  const estimate = simplestPathWeights(cost, grid.width)
+  const estimate = weightsTo(goal, cost, grid.width)
   const { edges } = sight
   const { states, weights, buckets } = memoryFor(grid.walls.length)
   const parents = new Int32Array(grid.walls.length)
@@ -83,14 +83,16 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   const queue = new FlatQueue<Cell>()
   let here = start
   let soFar = 0
-  let least = isStarred ? estimate(start, goal) : 0
+  let least = isStarred ? estimate(start) : 0
   let expanded = 0
 
+  states.fill(0, 0, grid.walls.length)
   states[start] = OPEN
   weights[start] = 0
   parents[start] = -1
   next.push(start)
   tape?.write(EVENT.open, start)
+  if (isStarred) tape?.write(EVENT.estimate, goal, 0)
   for (;;) {
     if (next.count === 0) {
       least = queue.peekValue() ?? least
@@ -104,7 +106,6 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
     states[here] |= CLOSED
     soFar = weights[here]
     tape?.at(lines.close).write(EVENT.close, here, 0, costOfWeight(cost, soFar))
-    if (isStarred) tape?.write(EVENT.value, here, 0, costOfWeight(cost, least))
     if (++expanded % 256 === 0) {
       progress(recording + ((1 - recording) * expanded) / vertices.length)
     }
@@ -123,7 +124,7 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
       states[vertex] = OPEN | edges.outwards[i]
       weights[vertex] = weight
       parents[vertex] = here
-      const whole = isStarred ? weight + estimate(vertex, goal) : weight
+      const whole = isStarred ? weight + estimate(vertex) : weight
       if (whole === least) next.push(vertex)
       else queue.push(vertex, whole)
       if (tape) tape.at(lines.open).write(EVENT.open, vertex, here, costOfWeight(cost, weight))
@@ -134,7 +135,12 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
 }
 
 /** The cells from the start to the goal: the simplest paths of the edges, one after the other. */
-function joinCells(width: number, goal: Cell, parents: Int32Array, states: Uint8Array): Int32Array {
+function joinCells(
+  width: number,
+  goal: Cell,
+  parents: Int32Array,
+  states: Uint16Array,
+): Int32Array {
   const backwards: Cell[] = [goal]
   for (let vertex = goal; parents[vertex] >= 0; vertex = parents[vertex]) {
     const parent = parents[vertex]

@@ -19,6 +19,19 @@ export function euclideanDistance(a: Point, b: Point): number {
   return Math.hypot(a.x - b.x, a.y - b.y)
 }
 
+/** Cost of the simplest path between two cells of a map; a straight step costs 1. */
+export function simplestPathCost(a: Cell, b: Cell, width: number, diagonalCost: number): number {
+  const aboveA = Math.floor(a / width)
+  const aboveB = Math.floor(b / width)
+  const across = Math.abs(a - aboveA * width - (b - aboveB * width))
+  return costAcross(across, Math.abs(aboveA - aboveB), diagonalCost - 1)
+}
+
+/** The same so far across and down; a diagonal step costs 1 + `more`. */
+export function costAcross(across: number, down: number, more: number): number {
+  return across > down ? across + more * down : down + more * across
+}
+
 const MORE_THAN_ANY_SQUARE = 2 ** 24
 
 /** The same between cells, for inner loops. @param share 1 / width of the map */

@@ -65,6 +65,11 @@ export const EVENT = {
   value: 25,
   /** Too many edges to write them all down: those from this cell on are missing. Cell, -, how many are there. */
   cut: 26,
+  /**
+   * From here on what is left from a closed cell is reckoned to be the simplest path's cost to this
+   * cell: the goal, which of the planner's variables is a closed cell's cost and that together.
+   */
+  estimate: 27,
 } as const
 
 export type EventKind = (typeof EVENT)[keyof typeof EVENT]

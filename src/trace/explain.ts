@@ -1,4 +1,5 @@
 import { type Cell, cellName } from '../grid/grid'
+import { costLeft } from './cost-left'
 import { EVENT, STATUSES, type Status } from './events'
 import type { Frame } from './frame'
 import { openedBy } from './opened'
@@ -59,7 +60,7 @@ export function explain(
         ? `Start at ${name(cell)} with cost ${number(value)}.`
         : `${name(cell)} gets a shorter way, over ${name(other)}: cost ${number(value)}.`
     case EVENT.close:
-      return `Of all open ones ${name(cell)} comes first, with cost ${number(value)}: its shortest path is final.${given(openedBy(tape, first).map(({ cell }) => name(cell)))}`
+      return `Of all open ones ${name(cell)} comes first, with cost ${number(value)}${left(tape, cell, frame)}: its shortest path is final.${given(openedBy(tape, first).map(({ cell }) => name(cell)))}`
     case EVENT.path:
       return `The parents lead back from the goal: a path of ${count(frame.path.length, 'cell')}.`
     case EVENT.attraction:
@@ -115,6 +116,10 @@ function explainStep(
     return `Step to ${name(cell)}, along the boundary to ${name(frame.target)}.`
   return `Step to ${name(cell)}, keeping ${name(frame.atSide)} on the ${SIDES[frame.turn]}.`
 }
+
+/** What is left from a cell that is closed, if the search reckons with that: " and at least 3 left". */
+const left = (tape: Tape, cell: Cell, { estimate }: Frame): string =>
+  estimate ? ` and at least ${number(costLeft(tape, cell, estimate.goal))} left` : ''
 
 /** What a cell that is closed gives to those named so: " It gives (1, 2) and (1, 3) a shorter way." */
 function given(names: readonly string[]): string {

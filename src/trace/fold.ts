@@ -2,6 +2,7 @@ import { stepOffsets } from '../grid/directions'
 import { InputError } from '../grid/errors'
 import type { Cell } from '../grid/grid'
 import type { Directions } from '../grid/steps'
+import { costLeft } from './cost-left'
 import { EVENT } from './events'
 import {
   type CellList,
@@ -86,6 +87,9 @@ function fold(
       search(frame, cell, SEARCH.closed)
       openNeighbours(frame, cell, other, offsets)
       frame.cost = value
+      if (frame.estimate) {
+        frame.values[frame.estimate.variable] = value + costLeft(tape, cell, frame.estimate.goal)
+      }
       break
     case EVENT.path:
       push(frame.path, cell)
@@ -138,6 +142,9 @@ function fold(
       break
     case EVENT.node:
       push(frame.nodes, cell)
+      break
+    case EVENT.estimate:
+      frame.estimate = { goal: cell, variable: other }
       break
     case EVENT.value:
       frame.values[other] = value

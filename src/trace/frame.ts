@@ -21,6 +21,13 @@ export interface Refusal {
   readonly at: Cell
 }
 
+/** How a search reckons what is left from a cell: the simplest path to `goal`. */
+export interface Estimate {
+  readonly goal: Cell
+  /** The planner's variable that is the cost of the latest closed cell and what is left from it. */
+  readonly variable: number
+}
+
 /** Cells in their order. Those of a frame that came from a worker are packed, and get no more. */
 export type CellList = Cell[] | Int32Array
 
@@ -63,6 +70,8 @@ export interface Frame {
   open: number
   closed: number
   cost: number
+  /** Null in a search that reckons nothing. */
+  estimate: Estimate | null
   /** How many rows of the map were made vertices of its graph. */
   rows: number
   /** The values of each field, NaN where there is none yet, and the field that was written last. */
@@ -105,6 +114,7 @@ export function firstFrame({ width, height }: Tape): Frame {
     open: 0,
     closed: 0,
     cost: 0,
+    estimate: null,
     rows: 0,
     fields: { attraction: null, repulsion: null, potential: null },
     field: null,

@@ -7,6 +7,7 @@ export const ATTACHED: ReadonlySet<number> = new Set([
   EVENT.feel,
   EVENT.sense,
   EVENT.value,
+  EVENT.estimate,
   EVENT.node,
 ])
 

@@ -1,5 +1,7 @@
 import type { Problem } from '../grid/problem'
+import { costLeft } from './cost-left'
 import { EVENT, STATUSES } from './events'
+import type { Estimate } from './frame'
 import { ATTACHED } from './landmarks'
 import { openedBy } from './opened'
 import { PosthocDrive } from './posthoc-drive'
@@ -56,14 +58,15 @@ function writeEnds(lines: PosthocLines, { problem, plannerId, title, mapFile }: 
 function writeEvents(lines: PosthocLines, tape: Tape, info: PosthocInfo): void {
   const search = new PosthocSearch(lines, tape.width * tape.height)
   const drive = new PosthocDrive(lines)
-  const latest: number[] = []
+  let estimate: Estimate | null = null
   for (let i = 0; i < tape.length; i++) {
     const kind = tape.kind(i)
-    // Told of the event that they belong to.
-    if (kind === EVENT.value || kind === EVENT.turn) continue
     const cell = tape.cell(i)
     const other = tape.other(i)
     const value = tape.value(i)
+    if (kind === EVENT.estimate) estimate = { goal: cell, variable: other }
+    // Told of the event that they belong to.
+    if (kind === EVENT.estimate || kind === EVENT.value || kind === EVENT.turn) continue
     // Lines of the pseudocode, counted from 1 as they are shown.
     const line = tape.line(i) + 1
     search.before(kind)
@@ -79,7 +82,7 @@ function writeEvents(lines: PosthocLines, tape: Tape, info: PosthocInfo): void {
       drive.write(kind, cell, other, value)
     }
     lines.tellNumber('line', line)
-    if (!ATTACHED.has(kind)) tellAttached(lines, tape, i, info.variables, latest)
+    if (!ATTACHED.has(kind)) tellAttached(lines, tape, i, info.variables, estimate)
     for (const opened of openedBy(tape, i)) {
       search.open(opened.cell, cell, opened.cost)
       lines.tellNumber('line', line)
@@ -87,29 +90,23 @@ function writeEvents(lines: PosthocLines, tape: Tape, info: PosthocInfo): void {
   }
 }
 
-/**
- * Tells what follows event `i` without being an event of its own: a side, numbers decided by. Of a
- * cell that is closed all numbers are told, because the tape has only those that are new.
- * @param latest all numbers so far, by variable
- */
+/** Tells what belongs to event `i` without being an event of its own: a side, numbers decided by. */
 function tellAttached(
   lines: PosthocLines,
   tape: Tape,
   i: number,
   variables: readonly string[],
-  latest: number[],
+  estimate: Estimate | null,
 ): void {
   let side = -1
-  const fresh: number[] = []
-  for (let j = i + 1; j < tape.length && ATTACHED.has(tape.kind(j)); j++) {
-    const other = tape.other(j)
-    if (tape.kind(j) === EVENT.turn) side = other
-    if (tape.kind(j) === EVENT.value) {
-      fresh[other] = tape.value(j)
-      latest[other] = fresh[other]
-    }
+  const numbers: number[] = []
+  if (estimate && tape.kind(i) === EVENT.close) {
+    numbers[estimate.variable] = tape.value(i) + costLeft(tape, tape.cell(i), estimate.goal)
   }
-  const numbers = tape.kind(i) === EVENT.close ? latest : fresh
+  for (let j = i + 1; j < tape.length && ATTACHED.has(tape.kind(j)); j++) {
+    if (tape.kind(j) === EVENT.turn) side = tape.other(j)
+    if (tape.kind(j) === EVENT.value) numbers[tape.other(j)] = tape.value(j)
+  }
   if (side >= 0) lines.tell('obstacleOn', side === 0 ? '"left"' : '"right"')
   numbers.forEach((number, variable) => {
     lines.tellNumber(variables[variable] ?? `variable ${variable + 1}`, number)

@@ -1,6 +1,7 @@
 import { InputError } from '../grid/errors'
 import type { Cell } from '../grid/grid'
 import type { EventKind } from './events'
+import { CHUNK, CHUNK_BITS, EVENT_BYTES, EVENT_WORDS, PLACE } from './tape-layout'
 import { LEFT_OUT, type Thinning } from './thinning'
 
 /**
@@ -8,18 +9,6 @@ import { LEFT_OUT, type Thinning } from './thinning'
  * event on; if that is not enough, all that comes later.
  */
 const MOST_EVENTS = 10_000_000
-
-/** Events are kept in chunks of so many, so that nothing is copied when a tape grows. */
-const CHUNK_BITS = 12
-const CHUNK = 1 << CHUNK_BITS
-const PLACE = CHUNK - 1
-
-/**
- * An event has 16 bytes. In the first word are its cell and its kind, in the second one its other
- * number and its line, each number of up to 23 bits above eight bits; its value takes the other two.
- */
-const EVENT_BYTES = 16
-const EVENT_WORDS = 4
 
 /** What a tape is made of: all that there is to be sent to another thread. */
 export interface TapeData {
@@ -151,11 +140,16 @@ export class Tape {
   }
 
   write(kind: EventKind, cell: Cell = -1, other = -1, value = 0): void {
+    this.writeAt(this.#line, kind, cell, other, value)
+  }
+
+  /** The same at another line, for inner loops; the planner stays where it is. */
+  writeAt(line: number, kind: EventKind, cell: Cell, other: number, value: number): void {
     if (this.#used >= this.#easy && !this.#makeRoomFor(kind)) return
     const i = this.#used
     const words = this.#words
     words[i * EVENT_WORDS] = (cell << 8) | kind
-    words[i * EVENT_WORDS + 1] = (other << 8) | this.#line
+    words[i * EVENT_WORDS + 1] = (other << 8) | line
     this.#values[i * 2 + 1] = value
     this.#used = i + 1
   }

@@ -5,6 +5,16 @@ import { explain } from '../../src/trace/explain'
 const [east, southEast, south] = [1 << 2, 1 << 3, 1 << 4]
 const CLOSED = 'Of all open ones (4, 5) comes first, with cost 3.414: its shortest path is final.'
 
+test('a cell that A* closes tells what is left from it at least', () => {
+  const tape = new Tape()
+  tape.begin(10, 10, Math.SQRT2)
+  tape.write(EVENT.estimate, 57, 0)
+  tape.write(EVENT.close, 34, 0, 4)
+  expect(explain(tape, 1, frameAt(tape, 2), [])).toBe(
+    'Of all open ones (4, 3) comes first, with cost 4 and at least 3.828 left: its shortest path is final.',
+  )
+})
+
 test.each([
   ['no neighbour', 0, ''],
   ['neighbours that have events of their own', -1, ''],

@@ -8,6 +8,13 @@ import { withOpened } from './written'
 
 const FIELDS: readonly Field[] = ['attraction', 'repulsion', 'potential']
 
+/** How many steps cells are apart: as the tapes here have it, a diagonal step costs 1. */
+const steps = (a: number, b: number): number =>
+  Math.max(
+    Math.abs((a % WIDTH) - (b % WIDTH)),
+    Math.abs(Math.floor(a / WIDTH) - Math.floor(b / WIDTH)),
+  )
+
 /** The picture after some events, each part of it asked of the list on its own. */
 function picture(list: readonly Event[]): Frame {
   const all = (kind: EventKind) => list.filter((e) => e.kind === kind)
@@ -41,7 +48,14 @@ function picture(list: readonly Event[]): Frame {
   const test = since(EVENT.phase).findLast((e) => e.kind === EVENT.test)
   const refusal = since(EVENT.phase, EVENT.edge).findLast((e) => e.kind === EVENT.refuse)
   const values: number[] = []
-  for (const e of all(EVENT.value)) values[e.other] = e.value
+  let estimate: Frame['estimate'] = null
+  for (const e of list) {
+    if (e.kind === EVENT.estimate) estimate = { goal: e.cell, variable: e.other }
+    if (e.kind === EVENT.value) values[e.other] = e.value
+    if (e.kind === EVENT.close && estimate) {
+      values[estimate.variable] = e.value + steps(e.cell, estimate.goal)
+    }
+  }
   return {
     time: list.length,
     phase: lastOf(EVENT.phase)?.other ?? -1,
@@ -82,6 +96,7 @@ function picture(list: readonly Event[]): Frame {
     following: lastOf(EVENT.hit, EVENT.leave)?.kind === EVENT.hit,
     turn: lastOf(EVENT.turn)?.other ?? 0,
     values,
+    estimate,
     line: last(list, 'line'),
   }
 }

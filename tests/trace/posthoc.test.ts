@@ -90,11 +90,10 @@ describe('events', () => {
     const least = 'd'
     const tape = tapeOf([
       ['open', 0],
+      ['estimate', 2, 0],
       ['close', 0, east + south, 0],
-      ['value', 0, 0, 2.5],
       ['close', 1, southEast, 1],
       ['close', 3, 0, 1.5],
-      ['value', 3, 0, 3],
       ['end', 3, STATUSES.indexOf('unreachable')],
     ])
     tape.diagonalCost = 1.25
@@ -106,17 +105,17 @@ describe('events', () => {
     ]
     expect(trace.events.slice(2)).toEqual([
       { type: 'generating', ...start, line: 1 },
-      { type: 'expanding', ...start, line: 2, [least]: 2.5 },
-      { type: 'generating', ...below, line: 2 },
-      { type: 'generating', ...west, line: 2 },
+      { type: 'expanding', ...start, line: 3, [least]: 2 },
+      { type: 'generating', ...below, line: 3 },
+      { type: 'generating', ...west, line: 3 },
       { type: 'closing', ...start },
-      // A number that stays the same is not on the tape again.
-      { type: 'expanding', ...west, line: 4, [least]: 2.5 },
+      { type: 'expanding', ...west, line: 4, [least]: 2 },
       { type: 'generating', id: '2,1', pId: '1,0', x: 2, y: 1, g: 2.25, line: 4 },
       { type: 'closing', ...west },
-      { type: 'expanding', ...below, g: 1.5, line: 5, [least]: 3 },
+      // To (2, 0) it is a diagonal step and a straight one.
+      { type: 'expanding', ...below, g: 1.5, line: 5, [least]: 3.75 },
       { type: 'closing', ...below, g: 1.5 },
-      { type: 'end', id: '0,1', pId: '0,0', x: 0, y: 1, status: 'unreachable', line: 7 },
+      { type: 'end', id: '0,1', pId: '0,0', x: 0, y: 1, status: 'unreachable', line: 6 },
     ])
   })
 

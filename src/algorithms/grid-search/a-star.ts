@@ -1,7 +1,7 @@
 import { stepOffsets } from '../../grid/directions'
 import type { Directions } from '../../grid/steps'
 import { DIAGONAL_WEIGHT, weightsTo } from '../costs'
-import { CLOSED, DIRECTION, memoryFor, OPEN, openCells } from './memory'
+import { CLOSED, DIRECTION_SHIFT, LEGAL, memoryFor, OPEN, openCells, STEPS } from './memory'
 import { Recorder } from './recorder'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
 import { NO_DIRECTION, successorsUnder } from './successors'
@@ -29,10 +29,11 @@ export function aStar({ problem, legal, cost, tape, lines, progress }: SearchTas
   const { states, weights } = memory
   const record = tape && new Recorder(tape, lines, cost)
   let expanded = 0
-  states[start] = OPEN | NO_DIRECTION
+  states.set(legal)
+  states[start] |= OPEN | (NO_DIRECTION << DIRECTION_SHIFT)
   weights[start] = 0
   openCells.begin(start, estimate(start))
-  record?.begin(start)
+  record?.begin(start, goal)
   for (let cell = openCells.pop(); cell >= 0; cell = openCells.pop()) {
     const state = states[cell]
     // A cell that was improved waits in a later place too.
@@ -42,11 +43,10 @@ export function aStar({ problem, legal, cost, tape, lines, progress }: SearchTas
     if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
     if (cell === goal) {
       record?.closed(cell, 0, weight)
-      record?.least(cell, openCells.least)
       return { path: wayBack(start, goal, memory, offsets), expanded }
     }
     let opened: Directions = 0
-    let steps = successors[((state & DIRECTION) << 8) | legal[cell]]
+    let steps = successors[state & STEPS]
     while (steps !== 0) {
       const direction = 31 - Math.clz32(steps & STRAIGHT || steps)
       steps ^= 1 << direction
@@ -54,14 +54,13 @@ export function aStar({ problem, legal, cost, tape, lines, progress }: SearchTas
       const known = states[neighbour]
       if (known & CLOSED) continue
       const longer = weight + (direction & 1 ? diagonalWeight : 1)
-      if (known !== 0 && longer >= weights[neighbour]) continue
-      states[neighbour] = OPEN | direction
+      if (known & OPEN && longer >= weights[neighbour]) continue
+      states[neighbour] = OPEN | (direction << DIRECTION_SHIFT) | (known & LEGAL)
       weights[neighbour] = longer
       openCells.push(neighbour, longer + estimate(neighbour))
       opened |= 1 << direction
     }
     record?.closed(cell, opened, weight)
-    record?.least(cell, openCells.least)
   }
   return { path: new Int32Array(0), expanded }
 }

@@ -1,18 +1,11 @@
 import { stepOffsets } from '../../grid/directions'
 import type { Directions } from '../../grid/steps'
 import { DIAGONAL_WEIGHT } from '../costs'
-import { CLOSED, DIRECTION, memoryFor, OPEN } from './memory'
+import { CLOSED, DIRECTION_SHIFT, LEGAL, memoryFor, OPEN, STEPS, UNIT } from './memory'
 import { Recorder } from './recorder'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
 import { NO_DIRECTION, successorsUnder } from './successors'
 import { wayBack } from './way-back'
-
-/**
- * A unit of weight. Weights are kept as whole numbers modulo 2^32: those of cells that wait differ by
- * less than three units, so their difference still tells which one is less, and half as much memory
- * goes through the processor.
- */
-const UNIT = 1 << 29
 
 /**
  * Dijkstra's algorithm without a heap: cells wait in buckets one unit of weight wide. No step weighs
@@ -30,10 +23,11 @@ export function dijkstra({ problem, legal, cost, tape, lines, progress }: Search
   let [bucket, next, afterNext] = memory.buckets
   const record = tape && new Recorder(tape, lines, cost)
   let expanded = 0
-  states[start] = OPEN | NO_DIRECTION
+  states.set(legal)
+  states[start] |= OPEN | (NO_DIRECTION << DIRECTION_SHIFT)
   weights[start] = 0
   bucket.push(start)
-  record?.begin(start)
+  record?.begin(start, null)
   for (let units = 0; bucket.count + next.count > 0; units++) {
     const least = units << 29
     for (let i = 0; i < bucket.count; i++) {
@@ -49,7 +43,7 @@ export function dijkstra({ problem, legal, cost, tape, lines, progress }: Search
         return { path: wayBack(start, goal, memory, offsets), expanded }
       }
       let opened: Directions = 0
-      let steps = successors[((state & DIRECTION) << 8) | legal[cell]]
+      let steps = successors[state & STEPS]
       while (steps !== 0) {
         const direction = 31 - Math.clz32(steps)
         steps ^= 1 << direction
@@ -57,8 +51,8 @@ export function dijkstra({ problem, legal, cost, tape, lines, progress }: Search
         const known = states[neighbour]
         if (known & CLOSED) continue
         const longer = (weight + (direction & 1 ? diagonalWeight : UNIT)) | 0
-        if (known !== 0 && ((longer - weights[neighbour]) | 0) >= 0) continue
-        states[neighbour] = OPEN | direction
+        if (known & OPEN && ((longer - weights[neighbour]) | 0) >= 0) continue
+        states[neighbour] = OPEN | (direction << DIRECTION_SHIFT) | (known & LEGAL)
         weights[neighbour] = longer
         if (((longer - least) | 0) < 2 * UNIT) next.push(neighbour)
         else afterNext.push(neighbour)

@@ -3,7 +3,7 @@ import { DIAGONAL_WEIGHT, weightsTo } from '../costs'
 import { GoalInSight } from './jump-points/goal-in-sight'
 import { jumpGraphOf } from './jump-points/graph'
 import { wayBackOverJumps } from './jump-points/way-back'
-import { CLOSED, DIRECTION, OPEN, openCells } from './memory'
+import { CLOSED, DIRECTION_SHIFT, directionIn, OPEN, openCells } from './memory'
 import { Recorder } from './recorder'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
 import { NO_DIRECTION } from './successors'
@@ -31,14 +31,14 @@ export function jumpPointSearch({
   const last = graph.madeAt(goal)
   let expanded = 0
   vertices.states.fill(0, 0, vertices.count)
-  vertices.states[first] = OPEN | NO_DIRECTION
+  vertices.states[first] = OPEN | (NO_DIRECTION << DIRECTION_SHIFT)
   vertices.weights[first] = 0
   openCells.begin(first, estimate(start))
-  record?.begin(start)
+  record?.begin(start, goal)
 
   const reach = (to: number, arrival: Direction, weight: number, from: number, d: Direction) => {
     if (vertices.states[to] !== 0 && weight >= vertices.weights[to]) return
-    vertices.states[to] = OPEN | arrival
+    vertices.states[to] = OPEN | (arrival << DIRECTION_SHIFT)
     vertices.weights[to] = weight
     vertices.setParent(to, from, d)
     const cell = vertices.cell(to)
@@ -55,11 +55,10 @@ export function jumpPointSearch({
     const weight = vertices.weights[vertex]
     if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
     record?.closed(cell, 0, weight)
-    record?.least(cell, openCells.least)
     if (vertex === last) {
       return { path: wayBackOverJumps(graph, problem, legal, goalInSight), expanded }
     }
-    const ways = graph.ways(vertex, state & DIRECTION)
+    const ways = graph.ways(vertex, directionIn(state))
     if (goalInSight.isNear(cell, graph.explore(vertex, ways))) {
       for (let d = 0; d < 8; d++) {
         if (((ways >> d) & 1) === 0) continue

@@ -1,19 +1,33 @@
 import { Bucket } from './bucket'
 import { OpenCells } from './open-cells'
 
-/** What a search knows of a cell: one of these two, with the direction of the step that led to it. */
-export const OPEN = 16
-export const CLOSED = 32
-/** The direction in a state. */
-export const DIRECTION = 15
+/**
+ * What a search knows of a cell, in one number, because a large map's other numbers are far away: its
+ * legal steps, eight bits; the direction of the step that led to it, four bits; and these two.
+ */
+export const OPEN = 1 << 12
+export const CLOSED = 1 << 13
+export const LEGAL = 255
+export const DIRECTION_SHIFT = 8
+/** Direction and legal steps: where its successors stand in their table. */
+export const STEPS = 0xfff
 
-/** Working memory of a search over cells. */
+/** The direction in a state. */
+export const directionIn = (state: number): number => (state & STEPS) >> DIRECTION_SHIFT
+
+/**
+ * A unit of weight, where weights are whole numbers, modulo 2^32: those of cells that wait differ by
+ * less than three units, so their difference still tells which one is less, and half as much memory
+ * goes through the processor.
+ */
+export const UNIT = 1 << 29
+
+/** Working memory of a search over cells. What is in it is of the search before. */
 export interface Memory {
-  /** 0 for a cell that was not reached yet. */
-  readonly states: Uint8Array
+  readonly states: Uint16Array
   /** Weight of the best path known to each cell that was reached; anything for the others. */
   readonly weights: Float64Array
-  /** The same memory for weights that are whole numbers. */
+  /** The same memory for weights in whole numbers, see UNIT. */
   readonly wholeWeights: Int32Array
   /** Empty ones. */
   readonly buckets: readonly [Bucket, Bucket, Bucket]
@@ -27,17 +41,13 @@ const KEPT_CELLS = 1 << 20
 
 let kept: Memory | null = null
 
-/**
- * Memory for a search over so many cells, none of them reached. It belongs to the search until the
- * next one begins.
- */
+/** Memory for a search over so many cells. It belongs to the search until the next one begins. */
 export function memoryFor(cells: number): Memory {
   if (kept === null || kept.states.length < cells) {
     const memory = newMemory(cells)
     if (cells <= KEPT_CELLS) kept = memory
     return memory
   }
-  kept.states.fill(0, 0, cells)
   for (const bucket of kept.buckets) bucket.count = 0
   return kept
 }
@@ -45,7 +55,7 @@ export function memoryFor(cells: number): Memory {
 function newMemory(cells: number): Memory {
   const weights = new Float64Array(cells)
   return {
-    states: new Uint8Array(cells),
+    states: new Uint16Array(cells),
     weights,
     wholeWeights: new Int32Array(weights.buffer),
     buckets: [new Bucket(), new Bucket(), new Bucket()],

@@ -16,7 +16,7 @@ const NONE = -1
  */
 export class OpenCells {
   /** The weight of the cell that was taken out last. */
-  least = 0
+  #least = 0
   /** Cells of the least weight that were put in while it was the least. */
   readonly #latest = new Bucket()
   /** What is left of the chain of the least weight. */
@@ -33,7 +33,7 @@ export class OpenCells {
 
   /** Only `first` is open, and it weighs so much. */
   begin(first: Cell, weight: number): void {
-    this.least = weight
+    this.#least = weight
     this.#latest.count = 0
     this.#chain = NONE
     this.#heads.clear()
@@ -44,7 +44,7 @@ export class OpenCells {
   }
 
   push(cell: Cell, weight: number): void {
-    if (weight === this.least) {
+    if (weight === this.#least) {
       this.#latest.push(cell)
       return
     }
@@ -72,7 +72,7 @@ export class OpenCells {
       const least = this.#heads.peekValue()
       const head = this.#heads.pop()
       if (least === undefined || head === undefined) return -1
-      this.least = least
+      this.#least = least
       link = head
     }
     this.#chain = this.#next[link]

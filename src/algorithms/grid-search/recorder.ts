@@ -8,37 +8,34 @@ import type { SearchTask } from './search'
 /** Writes on a tape what a search over cells does. */
 export class Recorder {
   readonly #tape: Tape
-  readonly #lines: SearchTask['lines']
+  readonly #startLine: number
+  readonly #closeLine: number
+  readonly #jumpLine: number
   readonly #cost: Cost
-  #least = -1
 
-  constructor(tape: Tape, lines: SearchTask['lines'], cost: Cost) {
+  constructor(tape: Tape, { start, close, jump }: SearchTask['lines'], cost: Cost) {
     this.#tape = tape
-    this.#lines = lines
+    this.#startLine = start
+    this.#closeLine = close
+    this.#jumpLine = jump
     this.#cost = cost
   }
 
-  begin(start: Cell): void {
-    this.#tape.at(this.#lines.start).write(EVENT.open, start)
+  /** @param goal to which A* reckons what is left */
+  begin(start: Cell, goal: Cell | null): void {
+    this.#tape.at(this.#startLine).write(EVENT.open, start)
+    if (goal !== null) this.#tape.write(EVENT.estimate, goal, 0)
   }
 
   /** @param opened the directions of the neighbours to which it gives a shorter way */
   closed(cell: Cell, opened: Directions, weight: number): void {
     const cost = costOfWeight(this.#cost, weight)
-    this.#tape.at(this.#lines.close).write(EVENT.close, cell, opened, cost)
-  }
-
-  /** What a path over the cell weighs at least; written when it is another than before. */
-  least(cell: Cell, weight: number): void {
-    const least = costOfWeight(this.#cost, weight)
-    if (least === this.#least) return
-    this.#least = least
-    this.#tape.write(EVENT.value, cell, 0, least)
+    this.#tape.writeAt(this.#closeLine, EVENT.close, cell, opened, cost)
   }
 
   /** Jump points are far away, so each has an event of its own. */
   jumped(to: Cell, from: Cell, weight: number): void {
     const cost = costOfWeight(this.#cost, weight)
-    this.#tape.at(this.#lines.jump).write(EVENT.open, to, from, cost)
+    this.#tape.writeAt(this.#jumpLine, EVENT.open, to, from, cost)
   }
 }

@@ -10,7 +10,8 @@ import { Looks } from './looks'
 import { Rounds } from './rounds'
 import { Vertices } from './vertices'
 
-let kept: { legal: Uint8Array; diagonalWeight: number; graph: JumpGraph } | null = null
+/** By the legal steps of their maps. */
+const graphs = new WeakMap<Uint8Array, JumpGraph>()
 
 /**
  * The graph of the map of which these are the legal steps. What a search finds out about it is kept
@@ -21,10 +22,11 @@ export function jumpGraphOf(
   problem: Problem,
   diagonalWeight: number,
 ): JumpGraph {
-  if (kept?.legal !== legal || kept.diagonalWeight !== diagonalWeight) {
-    kept = { legal, diagonalWeight, graph: new JumpGraph(legal, problem, diagonalWeight) }
-  }
-  return kept.graph
+  const known = graphs.get(legal)
+  if (known?.diagonalWeight === diagonalWeight) return known
+  const graph = new JumpGraph(legal, problem, diagonalWeight)
+  graphs.set(legal, graph)
+  return graph
 }
 
 /**
@@ -39,6 +41,7 @@ export class JumpGraph {
   weight = 0
   arrival: Direction = 0
   farView = 0
+  readonly diagonalWeight: number
   readonly vertices = new Vertices()
   readonly edges = new Edges()
   readonly looks: Looks
@@ -51,6 +54,7 @@ export class JumpGraph {
   readonly #vertexOf: Int32Array
 
   constructor(legal: Uint8Array, problem: Problem, diagonalWeight: number) {
+    this.diagonalWeight = diagonalWeight
     this.looks = new Looks(legal, problem, diagonalWeight)
     this.#legal = legal
     this.#successors = successorsUnder(problem.diagonal)

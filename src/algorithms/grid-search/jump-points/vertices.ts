@@ -23,7 +23,7 @@ export class Vertices {
   #places = new Int32Array(ROOM)
 
   // What the search at hand knows, as of cells. The states are to be cleared before the next one.
-  states = new Uint8Array(ROOM)
+  states = new Uint16Array(ROOM)
   weights = new Float64Array(ROOM)
   /** The vertex before on its best path, and the direction in which it leaves there. */
   #parents = new Int32Array(ROOM)
@@ -64,7 +64,7 @@ export class Vertices {
     this.farViews = larger(this.farViews, new Int16Array(room))
     this.edges = larger(this.edges, new Int32Array(room))
     this.#places = larger(this.#places, new Int32Array(room))
-    this.states = larger(this.states, new Uint8Array(room))
+    this.states = larger(this.states, new Uint16Array(room))
     this.weights = larger(this.weights, new Float64Array(room))
     this.#parents = larger(this.#parents, new Int32Array(room))
   }

@@ -1,0 +1,15 @@
+// How a tape lies in memory. Apart from it, so that the bundler puts the numbers where they are used:
+// a tape is written in inner loops.
+
+/** Events are kept in chunks of so many, so that nothing is copied when a tape grows. */
+export const CHUNK_BITS = 11
+export const CHUNK = 1 << CHUNK_BITS
+/** The place of an event in its chunk. */
+export const PLACE = CHUNK - 1
+
+/**
+ * An event has 16 bytes. In the first word are its cell and its kind, in the second one its other
+ * number and its line, each number of up to 23 bits above eight bits; its value takes the other two.
+ */
+export const EVENT_BYTES = 16
+export const EVENT_WORDS = 4
