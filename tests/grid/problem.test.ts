@@ -11,6 +11,8 @@ import {
 } from '../../src/index'
 import { problems } from './arbitraries'
 
+const RULE = 'only-when-no-obstacles'
+
 test('a sound problem is accepted', () => {
   fc.assert(
     fc.property(problems, (problem) => {
@@ -75,5 +77,20 @@ test.each([
   for (const ask of [...askers, () => plan(problem, 'bug1'), () => bug1Bound(problem, 'left')]) {
     expect(() => ask(problem)).toThrow(InputError)
     expect(() => ask(problem)).toThrow(message)
+  }
+})
+
+test('a map is looked at anew if it differs from the one before, be it in its last cell', () => {
+  const wallsWith = (last: number) => {
+    const walls = new Uint8Array(35)
+    walls[34] = last
+    return walls
+  }
+  const planOn = (walls: Uint8Array, id: string) => () =>
+    plan({ grid: { width: 7, height: 5, walls }, start: 0, goal: 33, diagonal: RULE }, id)
+  for (const id of ['decomposition', 'bug1', 'potential-field', 'visibility-graph']) {
+    for (const last of [0, 1, 1, 0]) expect(planOn(wallsWith(last), id)).not.toThrow()
+    expect(planOn(wallsWith(128), id)).toThrow('The cell (6, 4) is 128')
+    expect(planOn(wallsWith(128), id)).toThrow(InputError)
   }
 })
