@@ -119,6 +119,19 @@ test('a wrong field is named where it stands, and nothing is run', async ({ page
   await expect(page.getByText('200 maps × 11 planner settings = 2,200 runs')).toBeVisible()
 })
 
+test('who adds and removes planners with the keyboard keeps the focus', async ({ page }) => {
+  await new ExperimentsPage(page).open()
+  const add = page.getByLabel('Add a planner')
+  await add.focus()
+  await page.keyboard.press('B')
+  await expect(page.getByText('Bug1 is there twice.')).toBeVisible()
+  await expect(add).toBeFocused()
+  await page.getByRole('button', { name: 'Remove Bug1' }).last().focus()
+  await page.keyboard.press('Enter')
+  await expect(page.getByText('200 maps × 13 planner settings')).toBeVisible()
+  await expect(add).toBeFocused()
+})
+
 test('settings are saved and opened again; a file that is broken changes nothing', async ({
   page,
 }) => {
