@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest'
 import { plan } from '../../../src/algorithms/plan'
 import { planners } from '../../../src/algorithms/planners'
 import { COLUMNS, medianInWords, sortEntries } from '../../../src/app/compare/columns'
-import { comparedPaths } from '../../../src/app/compare/paths'
+import { comparedPaths, styleOf } from '../../../src/app/compare/paths'
 import {
   comparisonInWords,
   comparisonReady,
@@ -133,6 +133,10 @@ describe('the comparison in the state', () => {
     expect(comparedPaths(without).length).toBe(walks.length - 1)
     expect(comparedPaths(togglePath(without, 'bug1'))).toEqual(comparedPaths(full))
     expect(comparedPaths({ ...full, setup: setupFrom('S.\n.G') })).toEqual([])
+  })
+
+  it('draws each planner in a style of its own', () => {
+    expect(new Set(planners.map(({ id }) => styleOf(id))).size).toBe(planners.length)
   })
 
   it('is said in one sentence when it is ready for the map on screen', () => {
