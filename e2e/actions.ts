@@ -13,6 +13,9 @@ export async function openFile(page: Page, name: string, text: string): Promise<
   const asked = page.waitForEvent('filechooser')
   await chooseFromMapMenu(page, 'Open…')
   const chooser = await asked
+  const ending = name.slice(name.lastIndexOf('.'))
+  const offered = (await chooser.element().getAttribute('accept'))?.split(',')
+  expect(offered, 'endings of files that can be chosen').toContain(ending)
   await chooser.setFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(text) })
 }
 

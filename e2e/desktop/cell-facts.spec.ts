@@ -7,7 +7,7 @@ test('pointing at a cell tells what a rover knows of it at this moment', async (
   const facts = cellFacts(page)
   await map.moveTo(8, 8)
   await expect(facts).toHaveText(
-    /^\(8, 8\), free\. Leave point 1; cell \d+ of the m-line; stood on after step 15; sensed after 13 steps of the rover\.$/,
+    /^\(8, 8\), free\. Leave point 1; cell \d+ of the m-line; stood on after 15 steps; sensed after 13 steps of the rover\.$/,
   )
   await map.moveTo(6, 13)
   await expect(facts).toHaveText(/^\(6, 13\), free\. Hit point 1; cell 4 of the m-line; stood on/)

@@ -1,5 +1,6 @@
 import { darkTheme } from '../../src/render/theme'
 import {
+  chooseFromMapMenu,
   choosePlanner,
   drawnRows,
   expectResult,
@@ -193,9 +194,17 @@ test('all obstacles are cleared at once', async ({ map, page }) => {
   await expectResult(page, /^Proven unreachable/)
 })
 
-test('a cleared path comes back with the next change', async ({ map, page }) => {
-  await page.getByRole('button', { name: 'Map', exact: true }).click()
-  await page.getByRole('menuitem', { name: 'Clear path' }).click()
+test('a cleared path comes back with undo or the next change', async ({ map, page }) => {
+  const result = await page.getByRole('heading', { level: 2, name: /^Reached in/ }).innerText()
+  const rows = await drawnRows(page)
+  await chooseFromMapMenu(page, 'Clear path')
+  await expectResult(page, 'Path cleared')
+  await page.getByRole('button', { name: 'Undo' }).click()
+  await expectResult(page, result)
+  await expectSaid(page, 'The path is shown again.')
+  expect(await drawnRows(page)).toEqual(rows)
+
+  await chooseFromMapMenu(page, 'Clear path')
   await expectResult(page, 'Path cleared')
   await map.click([6, 4])
   await expectResult(page, 'Reached in 10 cells')

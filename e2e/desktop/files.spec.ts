@@ -75,6 +75,18 @@ test('a file of the original program', async ({ map, page }) => {
   await expect(message).toHaveText(`${note}${place(start)} and ${place(goal)}.`)
 })
 
+test('a map of the MovingAI benchmarks, and that it brings another diagonal rule', async ({
+  page,
+}) => {
+  const rule = page.getByLabel('Diagonal steps')
+  await expect(rule).toHaveValue('if-at-most-one-obstacle')
+  await expect(page.getByText('Diagonal steps are now')).toHaveCount(0)
+  await openFile(page, 'arena.map', 'type octile\nheight 2\nwidth 3\nmap\n...\n.@.\n')
+  await expect(page.getByText(/^Opened arena\.map: 3 × 2 cells\./).first()).toBeVisible()
+  await expect(page.getByText('Diagonal steps are now: Only when no obstacles.')).toBeVisible()
+  await expect(rule).toHaveValue('only-when-no-obstacles')
+})
+
 test('a file dropped on the map is opened, and that is one step to undo', async ({ map, page }) => {
   await dropFile(page, 'small.txt', 'S..\n.#.\n..G')
   await expect(page.getByText('Opened small.txt: 3 × 3 cells.').first()).toBeVisible()
@@ -169,6 +181,21 @@ test('an error is over once a map was opened', async ({ page }) => {
   await expect(page.getByRole('alert')).toBeVisible()
   await openMap(page, ROWS)
   await expect(page.getByRole('alert')).toBeHidden()
+})
+
+test('messages that are closed with the keyboard give the focus back', async ({ page }) => {
+  await openFile(page, 'one.txt', 'no map')
+  await openFile(page, 'two.txt', 'no map')
+  const closers = page.getByRole('button', { name: 'Close this message' })
+  await expect(page.getByText(/^two\.txt was not opened/)).toBeVisible()
+  const speed = page.getByLabel('Speed')
+  await speed.focus()
+  while ((await closers.count()) > 0) {
+    await closers.first().focus()
+    await page.keyboard.press('Enter')
+    await expect(page.locator('body')).not.toBeFocused()
+  }
+  await expect(speed).toBeFocused()
 })
 
 test('a message is text, whatever the file holds', async ({ page }) => {

@@ -40,7 +40,10 @@ test('another way there: it stays after the same landmark, and comes back with u
   ])
   await expectSettled(page)
   await press(page, 'ArrowLeft')
-  await expectReason(page, /^Leave point 1 at \(\d+, \d+\): away from the boundary\.$/)
+  await expectReason(
+    page,
+    /^Leave point 1 at \(\d+, \d+\): the m-line is met again, at its cell \d+\.$/,
+  )
   await press(page, 'ArrowRight')
   await press(page, 'Control+z')
   await expectSettled(page)

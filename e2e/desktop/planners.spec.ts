@@ -98,7 +98,8 @@ test('what each planner is, what it needs and what it promises', async ({ page }
     const about = page.getByRole('dialog', { name: planner.title, exact: true })
     await expect(about.getByText(planner.promise)).toBeVisible()
     await expect(about.getByText(planner.source)).toBeVisible()
-    await expect(about.getByRole('listitem')).toHaveText([...planner.pseudocode])
+    const lines = await about.getByRole('listitem').allInnerTexts()
+    expect(lines, 'the pseudocode with its indents').toEqual(planner.pseudocode)
     await about.getByRole('button', { name: 'Close' }).click()
     await expect(about).toBeHidden()
   }
@@ -120,6 +121,16 @@ test('each planner keeps its own parameters', async ({ page }) => {
   await expect(paramControl(page, 'Turn')).toHaveValue('left')
   await choosePlanner(page, 'Bug1')
   await expect(paramControl(page, 'Turn')).toHaveValue('right')
+})
+
+test('undo of the planner from within its parameters leaves the focus in the card', async ({
+  page,
+}) => {
+  await choosePlanner(page, 'Bug2')
+  await paramControl(page, 'Leave the boundary').focus()
+  await page.keyboard.press('Control+z')
+  await expect(plannerSelect(page)).toHaveValue('tangent-bug')
+  await expect(plannerSelect(page)).toBeFocused()
 })
 
 test('a value out of bounds is refused at its field, and the plan stays', async ({ map, page }) => {

@@ -69,6 +69,17 @@ test('a long plan can be cancelled and asked for again', async ({ map, page }) =
   await expectResult(page, /^Reached in \d+ cells$/)
 })
 
+test('the focus stays in the card when the button that has it goes', async ({ page }) => {
+  await startLongPlan(page)
+  await page.getByRole('button', { name: 'Cancel' }).focus()
+  await page.keyboard.press('Enter')
+  await expectResult(page, 'Cancelled')
+  await expect(page.getByRole('button', { name: 'Plan again' })).toBeFocused()
+  await page.keyboard.press('Enter')
+  await expectResult(page, 'Planning…')
+  await expect(page.getByRole('button', { name: 'Fold the result card' })).toBeFocused()
+})
+
 test('a plan that nobody waits for any more is dropped', async ({ map, page }) => {
   await startLongPlan(page)
   await choosePlanner(page, 'Bug1')

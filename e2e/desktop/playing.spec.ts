@@ -189,9 +189,12 @@ test('the speed is there again after a reload', async ({ page }) => {
 
 test('without a plan on screen there is nothing to step through', async ({ page }) => {
   await openMap(page, 'S..G\n....')
+  const landmarks = playback(page).locator('#ticks > *')
+  await expect(landmarks).not.toHaveCount(0)
   await page.getByRole('button', { name: 'Map', exact: true }).click()
   await page.getByRole('menuitem', { name: 'Clear path' }).click()
   await expect(playback(page).getByText('No steps')).toBeVisible()
+  await expect(landmarks).toHaveCount(0)
   await expect(scrubber(page)).toBeDisabled()
   await press(page, '.')
   await expectSaid(page, 'There is no plan to step through.')

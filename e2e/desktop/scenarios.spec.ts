@@ -11,7 +11,7 @@ const RESULTS: Readonly<Record<string, string | RegExp>> = {
   'fig11-bug1': 'Reached in 55 cells',
   'fig11-bug2': 'Reached in 25 cells',
   'fig12-bug1': 'Reached in 262 cells',
-  'fig12-bug2': /^Loop: hit point \(6, 2\) again, in the same state as at step \d+$/,
+  'fig12-bug2': /^Loop: hit point \(6, 2\) again, in the same state as after \d+ steps$/,
   fig13: /^Reached in (1\d|2[0-4]) cells$/,
   'fig14-bug2': 'Reached in 25 cells',
   'fig14-tangent-bug': /^Reached in (2[6-9]|3\d) cells$/,

@@ -17,17 +17,17 @@ type Landmark = readonly [step: number, position: string, reason: string]
 
 const SPIRAL: readonly Landmark[] = [
   [5, '(6, 2)', hit(1, '(6, 3)', 'left')],
-  [16, '(6, 4)', leave(1, '(6, 4)')],
+  [16, '(6, 4)', backOnMLine(1, '(6, 4)', 4)],
   [18, '(6, 5)', hit(2, '(6, 6)', 'left')],
-  [61, '(7, 0)', leave(2, '(7, 0)')],
+  [61, '(7, 0)', backOnMLine(2, '(7, 0)', 0)],
   [64, '(6, 2)', loopSince(2)],
 ]
 
 const SLANTING_BUG2: readonly Landmark[] = [
   [7, '(6, 13)', hit(1, '(7, 12)', 'left')],
-  [19, '(8, 8)', leave(1, '(8, 8)')],
+  [19, '(8, 8)', backOnMLine(1, '(8, 8)', 9)],
   [23, '(8, 5)', hit(2, '(8, 4)', 'left')],
-  [29, '(8, 2)', leave(2, '(8, 2)')],
+  [29, '(8, 2)', backOnMLine(2, '(8, 2)', 15)],
   [31, '(8, 1)', 'The end at (8, 1): the goal is reached. The rover is at the goal.'],
 ]
 
@@ -45,8 +45,12 @@ function leave(number: number, cell: string): string {
   return `Leave point ${number} at ${cell}: away from the boundary.`
 }
 
-function loopSince(step: number): string {
-  return `Loop: the same place and the same state as at step ${step}, so the rover goes round for ever.`
+function backOnMLine(number: number, cell: string, index: number): string {
+  return `Leave point ${number} at ${cell}: the m-line is met again, at its cell ${index}.`
+}
+
+function loopSince(steps: number): string {
+  return `Loop: the same place and the same state as after ${steps} steps, so the rover goes round for ever.`
 }
 
 async function expectLandmark(page: Page, [step, position, reason]: Landmark): Promise<void> {
@@ -73,9 +77,9 @@ test('Bug2 is stepped to its loop in the spiral, and it is said where and since 
   await expect(currentLine(page)).toHaveText(/^if it was a hit point before/)
   await press(page, 'ArrowRight')
   await expectStep(page, 65, 65)
-  const end = 'Hit point (6, 2) again, in the same state as at step 2.'
+  const end = 'Hit point (6, 2) again, in the same state as after 2 steps.'
   await expectReason(page, `The end at (6, 2): the rover goes round for ever. ${end}`)
-  await expectResult(page, 'Loop: hit point (6, 2) again, in the same state as at step 2')
+  await expectResult(page, 'Loop: hit point (6, 2) again, in the same state as after 2 steps')
   await expect(stepNumber(page, 'Walked')).toHaveText('57 steps')
 
   // To the moment at which the same state was there before.

@@ -1,5 +1,6 @@
 import { themes } from '../../src/render/theme'
 import { expect, test } from '../fixtures'
+import { expectStep, stepsInAll } from '../steps'
 
 const OUTSIDE = [-1, 3] as const
 
@@ -29,6 +30,11 @@ test('the line for newcomers goes when it is closed, and stays away', async ({ p
   await expect(hint).toBeVisible()
   await page.getByRole('button', { name: 'Close this hint' }).click()
   await expect(hint).toBeHidden()
+  // The focus is at the map, but no cursor takes the arrows from the playback.
+  await expect(page.getByRole('application')).toBeFocused()
+  const last = await stepsInAll(page)
+  await page.keyboard.press('ArrowLeft')
+  await expectStep(page, last - 1, last)
   await page.reload()
   await expect(page.getByRole('application')).toHaveAttribute('data-status', 'reached')
   await expect(hint).toBeHidden()

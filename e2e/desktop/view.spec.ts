@@ -1,5 +1,6 @@
 import { expect, test } from '../fixtures'
 import type { MapOnScreen, Place } from '../map-on-screen'
+import { playback, scrubber } from '../steps'
 
 const AT = [3, 4] as const
 
@@ -148,4 +149,25 @@ test('cards can be moved and folded, and the map lies beside them', async ({ map
   await expect(page.getByLabel('Diagonal steps')).toBeHidden()
   await expect(card.getByRole('heading', { name: 'Tangent Bug' })).toBeVisible()
   await expect(map.element).toHaveAttribute('data-status', 'reached')
+})
+
+test('the playback can be moved and folded, and its buttons stay', async ({ page }) => {
+  const bar = playback(page)
+  const box = async () => (await bar.boundingBox()) ?? { y: Number.NaN, height: Number.NaN }
+  const before = await box()
+  const fold = bar.getByRole('button', { name: 'Fold the bar of steps' })
+  await fold.click()
+  await expect(fold).toHaveAttribute('aria-expanded', 'false')
+  await expect(page.getByLabel("Rover's view")).toBeHidden()
+  await expect(bar.getByRole('button', { name: 'Play', exact: true })).toBeVisible()
+  await expect(scrubber(page)).toBeVisible()
+  await expect.poll(async () => (await box()).height).toBeLessThan(before.height)
+  await fold.click()
+  await expect.poll(box).toEqual(before)
+
+  await bar.getByRole('button', { name: 'Move the bar of steps' }).focus()
+  await page.keyboard.press('ArrowUp')
+  expect((await box()).y).toBe(before.y - 16)
+  await page.keyboard.press('Home')
+  await expect.poll(box).toEqual(before)
 })

@@ -124,3 +124,6 @@ export function hitObstacle(
 export function boxedIn(status: 'unreachable' | 'dead-end', place: Point): DriveAnswer {
   return { status, reason: `the rover is boxed in at ${placeName(place)}` }
 }
+
+/** When a state was there before. Not "at step 2": whoever plays a plan counts other steps, too. */
+export const afterSteps = (steps: number): string => `after ${steps} step${steps === 1 ? '' : 's'}`

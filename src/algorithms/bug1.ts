@@ -47,6 +47,8 @@ export const bug1 = onlinePlanner({
       }
       const hitPoint = rover.position
       const walk = hitObstacle(rover, ahead, params.turn, notes.at(line.hit))
+      notes.value(HERE, distance(hitPoint, goal))
+      notes.value(NEAREST, distance(hitPoint, goal))
       if (walk.isBoxedIn) return boxedIn('unreachable', hitPoint)
       let nearest = hitPoint
       let firstMet = 0

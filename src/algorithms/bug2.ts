@@ -2,7 +2,7 @@ import { stepped } from '../grid/directions'
 import { isSamePlace, type Point, placeName } from '../grid/grid'
 import { indexOnSimplestPath, simplestStep } from '../grid/simplest-path'
 import type { DriveNotes } from '../rover/drive-notes'
-import { boxedIn, hitObstacle, turnParam } from './boundary'
+import { afterSteps, boxedIn, hitObstacle, turnParam } from './boundary'
 import { onlinePlanner } from './planner'
 import { pseudocode } from './pseudocode'
 
@@ -57,6 +57,7 @@ export const bug2 = onlinePlanner({
       params.leave === 'closer' ? met > hit : met >= 0 && met !== hit
     const stepsAtHit = new Map<number, number>()
     noteMLine(start, goal, notes.at(line.mLine))
+    notes.value(INDEX, 0)
     rover.sense()
     while (!isAtGoal()) {
       const ahead = simplestStep(rover.position, goal)
@@ -71,7 +72,7 @@ export const bug2 = onlinePlanner({
       const before = stepsAtHit.get(hit)
       if (before !== undefined) {
         notes.at(line.loop).loop(before)
-        const reason = `hit point ${placeName(hitPoint)} again, in the same state as at step ${before}`
+        const reason = `hit point ${placeName(hitPoint)} again, in the same state as ${afterSteps(before)}`
         return { status: 'loop', reason }
       }
       stepsAtHit.set(hit, rover.steps)
@@ -91,7 +92,7 @@ export const bug2 = onlinePlanner({
             ? { status: 'unreachable', reason: `${reason} further along` }
             : {
                 status: 'loop',
-                reason: `${reason}, so the state of step ${rover.steps - walk.taken.length} came back`,
+                reason: `${reason}, so the state ${afterSteps(rover.steps - walk.taken.length)} came back`,
               }
         }
       } while (!mayLeave(mLineIndex(), hit))

@@ -55,7 +55,9 @@ export const probabilisticRoadmap = offlinePlanner({
     }
     const failure = {
       status: 'not-found',
-      reason: 'these samples do not join start and goal; more samples or another seed may',
+      reason: isVertex.every((vertex, cell) => vertex === 1 || problem.grid.walls[cell] === 1)
+        ? 'not even all free cells as samples join start and goal'
+        : 'these samples do not join start and goal; more samples or another seed may',
     } as const
     const { cost, search } = params
     const task = { problem, cost, search, failure, lines: line, tape, progress }

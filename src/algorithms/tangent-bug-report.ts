@@ -3,7 +3,7 @@ import { isSamePlace, type Point, placeName } from '../grid/grid'
 import { distance, simplestStep } from '../grid/simplest-path'
 import { DriveNotes } from '../rover/drive-notes'
 import type { Rover } from '../rover/rover'
-import { BoundaryWalk, boxedIn, isIn, obstacleInTheWay, type Turn } from './boundary'
+import { afterSteps, BoundaryWalk, boxedIn, isIn, obstacleInTheWay, type Turn } from './boundary'
 import type { DriveAnswer } from './planner'
 import { freeSteps, SensedSquare, shorter, type Way, wayOver } from './sensed-square'
 import { D_FOLLOWED, D_REACH, line } from './tangent-bug-lines'
@@ -30,7 +30,7 @@ export function driveAsInReport(rover: Rover, notes: DriveNotes): DriveAnswer {
     const before = stepsWhenBlocked.get(here)
     if (before !== undefined) {
       notes.at(line.loop).loop(before)
-      const reason = `blocked at ${here} again, in the same state as at step ${before}`
+      const reason = `blocked at ${here} again, in the same state as ${afterSteps(before)}`
       return { status: 'loop', reason }
     }
     stepsWhenBlocked.set(here, rover.steps)
@@ -50,18 +50,22 @@ export function driveAsInReport(rover: Rover, notes: DriveNotes): DriveAnswer {
     const turn = betterTurn(rover, towards)
     notes.turn(turn)
     const walk = new BoundaryWalk(rover, towards, turn, notes)
+    const noteDistances = () => {
+      notes.value(D_REACH, distance(rover.position, goal))
+      notes.value(D_FOLLOWED, distance(stepped(rover.position, walk.obstacle), goal))
+    }
+    noteDistances()
     if (walk.isBoxedIn) return boxedIn('dead-end', rover.position)
     notes.at(line.followBoundary)
     do {
       if (walk.isAround) {
         notes.at(line.loop).around(walk.taken.length)
         notes.loop(rover.steps - walk.taken.length)
-        const reason = `went round the obstacle once, so the state of step ${rover.steps - walk.taken.length} came back`
+        const reason = `went round the obstacle once, so the state ${afterSteps(rover.steps - walk.taken.length)} came back`
         return { status: 'loop', reason }
       }
       walk.step()
-      notes.value(D_REACH, distance(rover.position, goal))
-      notes.value(D_FOLLOWED, distance(stepped(rover.position, walk.obstacle), goal))
+      noteDistances()
     } while (!isAtGoal() && !mayLeave(rover, walk))
     if (!isAtGoal()) notes.at(line.depart).leave()
   }

@@ -56,8 +56,10 @@ function fields({ attraction, repulsion, potential }: CellFacts): string[] {
 
 function rover({ sensed, isFelt, visits, node }: CellFacts): string[] {
   const times = visits.length > 3 ? ` (${visits.length} times)` : ''
+  const latest = visits.slice(-3).map(numberInWords).join(', ')
+  const steps = latest === '1' ? 'step' : 'steps'
   return [
-    ...(visits.length === 0 ? [] : [`stood on after step ${visits.slice(-3).join(', ')}${times}`]),
+    ...(visits.length === 0 ? [] : [`stood on after ${latest} ${steps}${times}`]),
     ...(isFelt ? ['at its side while it followed the boundary'] : []),
     ...(node === null ? [] : [`node, ${numberInWords(node)} over it to the goal`]),
     ...(sensed === null

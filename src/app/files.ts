@@ -1,4 +1,6 @@
 import { InputError } from '../grid/errors'
+import type { Problem } from '../grid/problem'
+import { DIAGONAL_RULE_WORDS } from './diagonal-rules'
 import { onFileDropped } from './drop-zone'
 import { byId } from './element'
 import type { State } from './state'
@@ -23,12 +25,18 @@ async function openFile(store: Store<State>, file: File): Promise<void> {
     const opened = `Opened ${file.name}: ${width} × ${height} cells.`
     store.update((state) => {
       const changed = changeMap(state, { ...state.setup, problem }, opened)
-      return tell(changed, 'note', [opened, ...notes].join(' '))
+      return tell(changed, 'note', [opened, ...notes, ...ruleNote(state, problem)].join(' '))
     })
   } catch (error) {
     const why = error instanceof Error ? error.message : String(error)
     store.update((state) => tell(state, 'error', `${file.name} was not opened. ${why}`))
   }
+}
+
+/** Who did not choose another rule would wonder why the same map has another path. */
+function ruleNote({ setup }: State, { diagonal }: Problem): string[] {
+  if (diagonal === setup.problem.diagonal) return []
+  return [`Diagonal steps are now: ${DIAGONAL_RULE_WORDS[diagonal].title}.`]
 }
 
 /** Binds the file input and dropping a file anywhere on the page; returns what asks for a file. */

@@ -74,8 +74,10 @@ export function changeMap(state: State, setup: Setup, text: string): State {
   return fitToRoom({ ...changed, messages, time: THE_END, playing: null, kept: null })
 }
 
-export const undo = (state: State): State =>
-  travel(state, history.undo, { done: 'Undone.', nothing: 'Nothing to undo.' })
+export function undo(state: State): State {
+  if (state.pathHidden) return say({ ...state, pathHidden: false }, 'The path is shown again.')
+  return travel(state, history.undo, { done: 'Undone.', nothing: 'Nothing to undo.' })
+}
 
 export const redo = (state: State): State =>
   travel(state, history.redo, { done: 'Redone.', nothing: 'Nothing to redo.' })
@@ -126,8 +128,10 @@ export function planFailed(state: State, setup: Setup, message: string): State {
 
 export const planCancelled = (state: State): State => ({ ...state, run: { kind: 'cancelled' } })
 
+export const PATH_HIDDEN = 'The path is hidden until the next change; undo shows it again.'
+
 export const hidePath = (state: State): State =>
-  say({ ...state, pathHidden: true, playing: null }, 'The path is hidden until the next change.')
+  say({ ...state, pathHidden: true, playing: null }, PATH_HIDDEN)
 
 export const look = (state: State, view: View): State => ({ ...state, view, fitted: false })
 

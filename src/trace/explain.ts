@@ -77,10 +77,8 @@ export function explain(
       return frame.nodes.length === 0
         ? `No end of an obstacle is in reach of ${name(cell)}.`
         : `${count(frame.nodes.length, 'node')} in reach of ${name(cell)}.`
-    case EVENT.target: {
-      const best = cell < 0 ? 'A place of the border' : name(cell)
-      return `${best} is the best of them, at ${number(value)}: head for it.`
-    }
+    case EVENT.target:
+      return explainTarget(cell < 0 ? 'a place of the border' : name(cell), value, frame)
     case EVENT.mLine:
       return `The m-line: the simplest path from start to goal, ${count(frame.mLine.length, 'cell')}.`
     case EVENT.hit: {
@@ -91,10 +89,13 @@ export function explain(
     }
     case EVENT.around:
       return `Round the obstacle once, in ${count(value, 'step')}, and back at ${name(cell)}.`
-    case EVENT.leave:
-      return `Leave point ${value} at ${name(cell)}: away from the boundary.`
+    case EVENT.leave: {
+      const met = frame.mLine.indexOf(cell)
+      const why = met < 0 ? 'away from the boundary' : `the m-line is met again, at its cell ${met}`
+      return `Leave point ${value} at ${name(cell)}: ${why}.`
+    }
     case EVENT.loop:
-      return `Loop: the same place and the same state as at step ${value}, so the rover goes round for ever.`
+      return `Loop: the same place and the same state as after ${count(value, 'step')}, so the rover goes round for ever.`
     default:
       return ''
   }
@@ -108,6 +109,8 @@ function explainStep(
   thinning: Thinning,
 ): string {
   if (from < 0) return `Start at ${name(cell)}.`
+  const { potential } = frame.fields
+  if (potential) return `Step to ${name(cell)}, ${fromTo(potential[from], potential[cell])}.`
   if (!frame.following) return `Step to ${name(cell)}: the way is free.`
   // Neither what it heads for nor what it keeps at its side is on a thinned tape.
   if (thinning !== 'whole') return `Step to ${name(cell)}, along the boundary.`
@@ -115,6 +118,25 @@ function explainStep(
   if (frame.target >= 0)
     return `Step to ${name(cell)}, along the boundary to ${name(frame.target)}.`
   return `Step to ${name(cell)}, keeping ${name(frame.atSide)} on the ${SIDES[frame.turn]}.`
+}
+
+function explainTarget(place: string, value: number, frame: Frame): string {
+  // Whether the agent goes there is for the next step to say.
+  if (frame.fields.potential)
+    return `The neighbour of lowest potential to choose from is ${place}: ${number(value)}.`
+  // Only Bug1 heads for a place while it is at the boundary.
+  if (frame.following)
+    return `Head back for ${place}, of this boundary the nearest to the goal: distance ${number(value)}.`
+  // Classic Tangent Bug, which has just left a boundary for it.
+  if (frame.nodes.length === 0)
+    return `Head for ${place}, of the places in reach the nearest to the goal.`
+  return `Head for ${place}, of the nodes the one with the shortest way over it to the goal: ${count(value, 'step')}.`
+}
+
+/** From one potential to another: "down from 81 to 64". */
+function fromTo(before: number, after: number): string {
+  if (before === after) return `at the same potential of ${number(after)}`
+  return `${after < before ? 'down' : 'up'} from potential ${number(before)} to ${number(after)}`
 }
 
 /** What is left from a cell that is closed, if the search reckons with that: " and at least 3 left". */

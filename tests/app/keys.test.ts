@@ -51,6 +51,11 @@ describe('the keyboard on the map', () => {
     expect(state.setup).toBe(begin.setup)
     expect(state).toMatchObject({ cursor: 5, cursorShown: true })
     expect(obstaclesOf(type(state, 'Enter').setup)).toEqual([3, 5])
+    for (const key of ['s', 'g']) {
+      const shown = type({ ...hidden, cursor: 5 }, key)
+      expect(shown.setup).toBe(begin.setup)
+      expect(shown).toMatchObject({ cursor: 5, cursorShown: true })
+    }
   })
 
   it('sets start and goal, but not on obstacles', () => {
@@ -79,8 +84,14 @@ describe('the keyboard on the map', () => {
     expect(state.view.scale).toBeCloseTo(50)
     const { scale, left, top } = state.view
     expect([left + 1.5 * scale, top + 1.5 * scale]).toEqual([60, 60])
-    expect(type(state, '-').view.scale).toBeCloseTo(40)
-    expect(type(state, '0').fitted).toBe(true)
+    expect(state.said.text).toBe('Zoomed in.')
+    const out = type(state, '-')
+    expect(out.view.scale).toBeCloseTo(40)
+    expect(out.said.text).toBe('Zoomed out.')
+    expect(type(state, '0')).toMatchObject({
+      fitted: true,
+      said: { text: 'The whole map is shown.' },
+    })
   })
 
   it('leaves Space and the sideways arrows to the playback while no cursor is on show', () => {
@@ -90,7 +101,9 @@ describe('the keyboard on the map', () => {
     }
     expect(mapKey(keyPress('Shift+ArrowLeft'), true)).toBeNull()
     expect(type(hidden, 'ArrowDown')).toMatchObject({ cursor: 4, cursorShown: true })
-    expect(type(begin, 'ArrowDown', 'Escape').cursorShown).toBe(false)
+    const escaped = type(begin, 'ArrowDown', 'Escape')
+    expect(escaped).toMatchObject({ cursorShown: false, said: { text: 'The cursor is hidden.' } })
+    expect(type(escaped, 'Escape')).toBe(escaped)
   })
 
   it('leaves all other keys alone', () => {

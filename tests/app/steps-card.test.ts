@@ -5,6 +5,7 @@ import { codeSection } from '../../src/app/code-section'
 import { loopBegan } from '../../src/app/loop'
 import { type Moment, Moments } from '../../src/app/moment'
 import { numberInWords } from '../../src/app/numbers'
+import { maps } from '../../src/app/scenario-maps'
 import { scoreOf } from '../../src/app/score'
 import { plannerOf, valuesOf } from '../../src/app/setup'
 import { stepNumbers } from '../../src/app/step-numbers'
@@ -128,6 +129,21 @@ describe('the numbers of a step', () => {
   })
 
   it.each([
+    ['bug1', 'Distance to the goal', ['13', '8']],
+    ['bug1', 'Least distance on this boundary', ['13', '8']],
+    ['tangent-bug', 'd_reach', ['13', '8']],
+    ['tangent-bug', 'd_followed', ['12', '7']],
+  ])('of %s are those of this boundary from its hit point on: %s', (id, label, values) => {
+    const state = stateOf(id, maps.fig11)
+    const { steps } = scoreOf(momentAt(state).shown.tape)
+    const hits = Array.from(steps, (_, step) => momentAt(toStep(state, step))).filter((moment) =>
+      stepInWords(moment).includes('hit point'),
+    )
+    const value = (moment: Moment) => stepNumbers(moment).find((row) => row.label === label)?.value
+    expect(hits.map(value)).toEqual(values)
+  })
+
+  it.each([
     [3, '3'],
     [999, '999'],
     [1000, '1,000'],
@@ -161,7 +177,7 @@ describe('a loop', () => {
   it('began where the rover stood at the same place', () => {
     const before = momentAt(toStep(state, loopBegan(moment) ?? -1))
     expect(before.frame.rover).toBe(moment.frame.rover)
-    expect(moment.shown.outcome.reason).toContain(`step ${before.frame.trail.length - 1}`)
+    expect(moment.shown.outcome.reason).toContain(`after ${before.frame.trail.length - 1} steps`)
   })
 })
 
@@ -178,6 +194,6 @@ describe('what is known of a cell, in words', () => {
     }
     expect(words('decomposition', 1)).toBe('Vertex; closed, cost 1 by way of (0, 0).')
     expect(words('potential-field', 24)).toMatch(/^Attraction 0; repulsion 0; potential 0/)
-    expect(words('bug2', 0)).toMatch(/^Hit point 1; cell 0 of the m-line; stood on after step 0;/)
+    expect(words('bug2', 0)).toMatch(/^Hit point 1; cell 0 of the m-line; stood on after 0 steps;/)
   })
 })

@@ -170,6 +170,14 @@ describe('a plan', () => {
     expect(visiblePlan(hidden)).toBeNull()
     expect(visiblePlan(edit(hidden, moved(hidden, 9)))).toBe(shown)
   })
+
+  it('is shown again by undo, which takes back nothing else', () => {
+    const drawn = change(begin, moved(begin, 9), 'Drawn.')
+    const back = undo(hidePath({ ...drawn, shown }))
+    expect(visiblePlan(back)).toBe(shown)
+    expect(back).toMatchObject({ setup: drawn.setup, history: drawn.history })
+    expect(undo(back).setup).toEqual(begin.setup)
+  })
 })
 
 describe('messages', () => {

@@ -1,6 +1,9 @@
 import { expect, test } from 'vitest'
-import { EVENT, frameAt, Tape } from '../../src/index'
+import { plannerById } from '../../src/algorithms/plan'
+import { maps } from '../../src/app/scenario-maps'
+import { EVENT, frameAt, type PlanOptions, plan, problemFromText, Tape } from '../../src/index'
 import { explain } from '../../src/trace/explain'
+import { stepsOf } from '../../src/trace/landmarks'
 
 const [east, southEast, south] = [1 << 2, 1 << 3, 1 << 4]
 const CLOSED = 'Of all open ones (4, 5) comes first, with cost 3.414: its shortest path is final.'
@@ -26,4 +29,55 @@ test.each([
   tape.begin(10, 10)
   tape.write(EVENT.close, 54, directions, 2 + Math.SQRT2)
   expect(explain(tape, 0, frameAt(tape, 1), [])).toBe(CLOSED + more)
+})
+
+/** What is said of each step of a plan. */
+function told(map: string, plannerId: string, params: PlanOptions['params'] = {}): string[] {
+  const tape = new Tape()
+  plan(problemFromText(map), plannerId, { params, tape })
+  const { phases } = plannerById(plannerId)
+  const steps = Array.from(stepsOf(tape))
+  return steps.slice(1).map((time, i) => explain(tape, steps[i], frameAt(tape, time), phases))
+}
+
+test('the agent of a potential field heads for no neighbour that it does not go to', () => {
+  const sentences = told(maps.fig06, 'potential-field')
+  expect(sentences.slice(-4)).toEqual([
+    'The neighbour of lowest potential to choose from is (6, 3): 64.',
+    'Step to (6, 3), down from potential 81 to 64.',
+    'The neighbour of lowest potential to choose from is (7, 3): 79.',
+    'The end at (6, 3): a local minimum.',
+  ])
+})
+
+test('with memory it climbs, too', () => {
+  const manhattan = { repulsionDistance: 'manhattan' }
+  const sentences = told(maps.fig07, 'potential-field-memory', manhattan)
+  expect(sentences).toContain('Step to (7, 4), up from potential 64 to 79.')
+  expect(sentences).toContain('Step to (6, 3), at the same potential of 80.')
+})
+
+test('Bug1 says which cell it goes back to', () => {
+  expect(told(maps.fig11, 'bug1')).toContain(
+    'Head back for (4, 3), of this boundary the nearest to the goal: distance 3.',
+  )
+})
+
+test('Bug2 says where on its m-line it is again', () => {
+  const leaves = told(maps.fig12, 'bug2').filter((sentence) => sentence.startsWith('Leave'))
+  expect(leaves).toEqual([
+    'Leave point 1 at (6, 4): the m-line is met again, at its cell 4.',
+    'Leave point 2 at (7, 0): the m-line is met again, at its cell 0.',
+  ])
+})
+
+test('Tangent Bug says what a node has over the others', () => {
+  expect(told(maps.fig11, 'tangent-bug')).toContain(
+    'Head for (4, 12), of the nodes the one with the shortest way over it to the goal: 14 steps.',
+  )
+  const classic = told(maps.fig12, 'tangent-bug', { variant: 'classic', range: 2 })
+  const left = classic.findIndex((sentence) => sentence.startsWith('Leave'))
+  expect(classic[left + 1]).toMatch(
+    /^Head for .*, of the places in reach the nearest to the goal\.$/,
+  )
 })

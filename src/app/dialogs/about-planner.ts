@@ -5,6 +5,9 @@ import type { Store } from '../store'
 import markup from './about-planner.html?raw'
 import { newDialog } from './dialog'
 
+const REPORT =
+  'The report is A. Zini, F. Morselli and C. Stoemo, “Implementation and analysis of the main path planning techniques”.'
+
 /** Makes the dialog that says what the chosen planner is; returns what opens it. */
 export function aboutDialog(store: Store<State>): () => void {
   const element = newDialog('about-dialog', markup)
@@ -27,6 +30,7 @@ export function aboutDialog(store: Store<State>): () => void {
       ),
       create('h3', {}, 'Source'),
       create('p', {}, planner.source),
+      create('p', { class: 'help' }, REPORT),
     )
     element.showModal()
     element.scrollTop = 0

@@ -1,7 +1,7 @@
 import { byId } from '../element'
 import type { State } from '../state'
 import type { Store } from '../store'
-import { prefer } from '../transitions'
+import { hideCursor, prefer } from '../transitions'
 
 /**
  * Binds the line that greets newcomers; returns what shows a state in it.
@@ -9,9 +9,12 @@ import { prefer } from '../transitions'
  */
 export function hint(store: Store<State>, closed: () => void): (state: State) => void {
   const line = byId('hint', HTMLParagraphElement)
-  byId('hint-close', HTMLButtonElement).addEventListener('click', () => {
+  byId('hint-close', HTMLButtonElement).addEventListener('click', ({ detail }) => {
     store.update((state) => prefer(state, { hint: false }))
+    // The button is gone.
     byId('map', HTMLDivElement).focus()
+    // Who pressed it with a pointer needs no cursor, to which Space and the arrows would belong.
+    if (detail > 0) store.update((state) => hideCursor(state))
     closed()
   })
   return ({ preferences }) => {

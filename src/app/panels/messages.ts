@@ -11,6 +11,11 @@ import { dismiss, type Telling } from '../telling'
 export function messages<State extends Telling>(store: Store<State>): (state: State) => void {
   const list = byId('messages', HTMLDivElement)
   const boxes = new Map<number, HTMLElement>()
+  /** Where the focus was before it came to the messages. */
+  let cameFrom: EventTarget | null = null
+  list.addEventListener('focusin', ({ relatedTarget }) => {
+    if (!(relatedTarget instanceof Node && list.contains(relatedTarget))) cameFrom = relatedTarget
+  })
 
   const show = (message: Message): HTMLElement => {
     const { id, kind, text } = message
@@ -20,7 +25,13 @@ export function messages<State extends Telling>(store: Store<State>): (state: St
       'aria-label': 'Close this message',
     })
     close.append(icon('close'))
-    close.addEventListener('click', () => store.update((state) => dismiss(state, id)))
+    close.addEventListener('click', ({ detail }) => {
+      const others = [...boxes].filter(([other]) => other !== id).map(([, box]) => box)
+      const next = others.at(-1)?.querySelector('button') ?? cameFrom
+      store.update((state) => dismiss(state, id))
+      // The button goes. With a pointer the focus is not missed.
+      if (detail === 0 && next instanceof HTMLElement) next.focus()
+    })
     const box = create(
       'div',
       { class: `toast ${kind}`, ...(kind === 'error' ? { role: 'alert' } : {}) },

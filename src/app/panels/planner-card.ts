@@ -94,7 +94,10 @@ export function plannerCard(store: Store<State>, openAbout: () => void): (state:
     const planner = plannerOf(setup)
     if (form?.planner !== planner) {
       form = paramsForm(store)
+      const hadFocus = params.contains(document.activeElement)
       params.replaceChildren(...form.elements)
+      // As when undo leads from a parameter to another planner.
+      if (hadFocus) select.focus()
       seed.element.hidden = !planner.usesSeed
       reset.hidden = planner.params.length === 0 && !planner.usesSeed
     }

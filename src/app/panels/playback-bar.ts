@@ -119,7 +119,11 @@ export function playbackBar(store: Store<State>): (state: State, moment: Moment 
     showPlaying(playing !== null)
     // While a stroke goes on, plans come too fast to be counted, and only their ends are seen.
     if (moment && (setup === committed || !isAtEnd(moment))) showSteps(state, moment)
-    if (!moment) setText(count, 'No steps')
+    if (!moment) {
+      setText(count, 'No steps')
+      if (ticked) ticks.replaceChildren()
+      ticked = null
+    }
     speed.value = String(preferences.speed)
     sight.value = preferences.sight
     sightField.hidden = plannerOf(setup).family !== 'online'

@@ -3,6 +3,7 @@ import { type IconName, setIcon } from '../icons'
 import type { Planning } from '../planning'
 import { plannerOf } from '../setup'
 import type { State } from '../state'
+import { PATH_HIDDEN } from '../transitions'
 import { outcomeInWords, outcomeNumbers, type Row, reasonInWords, toneOf } from '../words'
 import { showRows } from './rows'
 
@@ -31,8 +32,7 @@ export function reportOf({ run, shown, pathHidden, setup }: State): Report {
   }
   if (!shown) return { tone: 'busy', words: 'No plan yet', detail: '', rows: NO_ROWS }
   if (pathHidden) {
-    const detail = 'The path is hidden until the next change.'
-    return { tone: 'busy', words: 'Path cleared', detail, rows: NO_ROWS }
+    return { tone: 'clear-path', words: 'Path cleared', detail: PATH_HIDDEN, rows: NO_ROWS }
   }
   const { outcome, milliseconds } = shown
   const planner = plannerOf(shown.setup)
@@ -55,6 +55,8 @@ export function resultCard(planning: Planning): (state: State) => void {
   const table = byId('result-numbers', HTMLTableElement)
   const sign = card.querySelector<SVGSVGElement>('#result-icon')
   const bar = progress.querySelector<HTMLElement>('[role=progressbar]')
+  const fold = card.querySelector<HTMLElement>('[data-fold]')
+  const isSeen = (button: HTMLElement | null) => (button?.getClientRects().length ?? 0) > 0
   cancel.addEventListener('click', planning.cancel)
   again.addEventListener('click', planning.ask)
 
@@ -62,6 +64,7 @@ export function resultCard(planning: Planning): (state: State) => void {
     const report = reportOf(state)
     const { run } = state
     const isSlow = run.kind === 'running' && run.slow
+    const focused = [cancel, again].find((button) => button === document.activeElement)
     card.dataset.tone = report.tone
     if (sign) setIcon(sign, report.tone)
     setText(words, report.words)
@@ -72,6 +75,8 @@ export function resultCard(planning: Planning): (state: State) => void {
       showProgress(bar, run.done)
     }
     again.hidden = run.kind !== 'cancelled' && run.kind !== 'failed'
+    // The button that was pressed goes, and the focus would go with it.
+    if (focused && !isSeen(focused)) [again, cancel, fold].find(isSeen)?.focus()
     showRows(table, report.rows)
   }
 }

@@ -40,7 +40,7 @@ export function stepsCard(store: Store<State>): (state: State, moment: Moment | 
     thinned.hidden = missing === ''
     loop = moment && loopBegan(moment)
     before.hidden = loop === null
-    setText(before, loop === null ? '' : `See that time: step ${numberInWords(loop)} here`)
+    setText(before, loop === null ? '' : `See that time: step ${numberInWords(loop)}`)
     showRows(table, moment ? stepNumbers(moment) : [])
     code.show(moment?.shown.setup ?? setup, moment?.frame.line ?? -1)
   }

@@ -1,8 +1,8 @@
 import { byId } from '../element'
 import type { State } from '../state'
 import type { Store } from '../store'
-import { ZOOM_STEP, zoomed } from '../tools/keys'
-import { fitToRoom, prefer, redo, say, undo } from '../transitions'
+import { wholeMapShown, ZOOM_STEP, zoomed } from '../tools/keys'
+import { prefer, redo, say, undo } from '../transitions'
 import { themeButton } from './theme-button'
 
 /** Binds the toolbar's buttons; returns what shows a state in them. */
@@ -16,15 +16,15 @@ export function toolbar(store: Store<State>, openHelp: () => void): (state: Stat
   const redoButton = button('redo', redo)
   button('zoom-in', (state) => zoomed(state, ZOOM_STEP))
   button('zoom-out', (state) => zoomed(state, 1 / ZOOM_STEP))
-  button('fit', fitToRoom)
+  button('fit', wholeMapShown)
   const showTheme = themeButton((theme) =>
     store.update((state) => say(prefer(state, { theme }), `Theme: ${theme}.`)),
   )
   byId('help', HTMLButtonElement).addEventListener('click', openHelp)
 
-  return ({ history, setup, committed, preferences }) => {
+  return ({ history, setup, committed, pathHidden, preferences }) => {
     // `aria-disabled` keeps the focus where it is when the last step was undone.
-    setDisabled(undoButton, history.past.length === 0 && setup === committed)
+    setDisabled(undoButton, history.past.length === 0 && setup === committed && !pathHidden)
     setDisabled(redoButton, history.future.length === 0)
     showTheme(preferences.theme)
   }

@@ -72,9 +72,9 @@ export function mapKey({ key, command, shift }: KeyPress, cursorShown: boolean):
     case '-':
       return (state) => zoomed(state, 1 / ZOOM_STEP)
     case '0':
-      return fitToRoom
+      return wholeMapShown
     case 'Escape':
-      return hideCursor
+      return cursorHidden
     default:
       return null
   }
@@ -86,8 +86,16 @@ export function zoomed(state: State, factor: number): State {
   const { grid } = setup.problem
   const rect = cursorShown ? cellRect(view, grid, cursor) : roomForMap(screen, covered, grid)
   const [x, y] = [rect.left + rect.width / 2, rect.top + rect.height / 2]
-  return look(state, zoomAt(view, factor, x, y, grid))
+  const text = factor > 1 ? 'Zoomed in.' : 'Zoomed out.'
+  return say(look(state, zoomAt(view, factor, x, y, grid)), text)
 }
+
+export const wholeMapShown = (state: State): State =>
+  say(fitToRoom(state), 'The whole map is shown.')
+
+/** Said because Space and arrows do something else from now on. */
+const cursorHidden = (state: State): State =>
+  state.cursorShown ? say(hideCursor(state), 'The cursor is hidden.') : state
 
 function moved(state: State, direction: Direction): State {
   const { grid } = state.setup.problem
@@ -128,13 +136,15 @@ export function reveal(view: View, grid: Grid, cell: Cell, room: Rect, screen: S
   return panBy(view, dx, dy, grid, screen)
 }
 
+/** Nothing is changed at a cell that nobody sees. */
+function cursorShown(state: State): State {
+  const text = `${cellInWords(state.setup.problem, state.cursor)}.`
+  return sayOfCell(revealed(moveCursor(state, state.cursor)), text)
+}
+
 function toggled(state: State): State {
   const { setup, cursor } = state
-  // Nothing is changed at a cell that nobody sees.
-  if (!state.cursorShown) {
-    const text = `${cellInWords(setup.problem, cursor)}.`
-    return sayOfCell(revealed(moveCursor(state, cursor)), text)
-  }
+  if (!state.cursorShown) return cursorShown(state)
   const { problem } = setup
   const grip = gripAt(problem, cursor)
   const name = cellName(problem.grid.width, cursor)
@@ -151,10 +161,10 @@ function marked(state: State, mark: 'start' | 'goal'): State {
   const { setup, cursor } = state
   const { grid } = setup.problem
   const name = cellName(grid.width, cursor)
-  const shown = moveCursor(state, cursor)
+  if (!state.cursorShown) return cursorShown(state)
   if (grid.walls[cursor]) {
-    return tell(shown, 'note', `${name} is an obstacle: the ${mark} cannot be there.`)
+    return tell(state, 'note', `${name} is an obstacle: the ${mark} cannot be there.`)
   }
-  if (setup.problem[mark] === cursor) return say(shown, `The ${mark} is at ${name} already.`)
-  return change(shown, withMark(setup, mark, cursor), `The ${mark} is now at ${name}.`)
+  if (setup.problem[mark] === cursor) return say(state, `The ${mark} is at ${name} already.`)
+  return change(state, withMark(setup, mark, cursor), `The ${mark} is now at ${name}.`)
 }
