@@ -1,4 +1,5 @@
 import { openResults } from '../../src/experiments/open-results'
+import { resultsToLines } from '../../src/experiments/results-json'
 import type { Row } from '../../src/experiments/row'
 import { runMap } from '../../src/experiments/run-map'
 import { countWork } from '../../src/experiments/settings'
@@ -43,6 +44,22 @@ test('a run that is cancelled keeps its first maps, and they can be looked at', 
   expect(timeless(rows.slice(0, 20))).toEqual(
     timeless([0, 1, 2].flatMap((map) => runMap(many, map))).slice(0, 20),
   )
+})
+
+test('a run goes on while the results of a shard are looked at, and can be cancelled', async ({
+  page,
+}) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  const many = { ...SMALL, mapsPerCombination: 3000 }
+  await experiments.openFile('many.json', JSON.stringify(many))
+  await page.getByRole('button', { name: 'Run', exact: true }).click()
+  const shard = { index: 2, of: 3 }
+  const rows = Array.from({ length: 14 }, (_, i) => runMap(SMALL, 14 + i)).flat()
+  await experiments.openFile('shard.jsonl', resultsToLines({ settings: SMALL, shard, rows }))
+  await expect(page.getByText('14 maps of shard 2/3, 126 runs, seed 3.')).toBeVisible()
+  await page.getByRole('button', { name: 'Cancel' }).click()
+  await expect(page.getByText(/^The first [\d,]+ of 21,000 maps, .* runs, seed 3\.$/)).toBeVisible()
 })
 
 test('a mark opens the runs that failed, and a run the playground where it failed', async ({
@@ -100,6 +117,19 @@ test('a wrong field is named where it stands, and nothing is run', async ({ page
   await samples.fill('20, 40')
   await expect(samples).not.toHaveAttribute('aria-invalid', 'true')
   await expect(page.getByText('200 maps × 11 planner settings = 2,200 runs')).toBeVisible()
+})
+
+test('who adds and removes planners with the keyboard keeps the focus', async ({ page }) => {
+  await new ExperimentsPage(page).open()
+  const add = page.getByLabel('Add a planner')
+  await add.focus()
+  await page.keyboard.press('B')
+  await expect(page.getByText('Bug1 is there twice.')).toBeVisible()
+  await expect(add).toBeFocused()
+  await page.getByRole('button', { name: 'Remove Bug1' }).last().focus()
+  await page.keyboard.press('Enter')
+  await expect(page.getByText('200 maps × 13 planner settings')).toBeVisible()
+  await expect(add).toBeFocused()
 })
 
 test('settings are saved and opened again; a file that is broken changes nothing', async ({

@@ -26,3 +26,18 @@ test('results of experiments fit the window and are accessible', async ({ page }
   await expect(page.getByRole('dialog', { name: 'Runs' })).toBeVisible()
   await expectAccessible(page)
 })
+
+test('what is said of a file is seen, wherever the page is scrolled to', async ({ page }) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  const toldOf = async (name: string) => {
+    await experiments.openFile(name, '{}')
+    const message = page.locator('.toast', { hasText: `${name} was not opened.` })
+    await expect(message).toBeInViewport({ ratio: 1 })
+    const box = await message.boundingBox()
+    expect(box?.width).toBeGreaterThan(300)
+  }
+  await toldOf('first.json')
+  await page.getByLabel('Add a planner').scrollIntoViewIfNeeded()
+  await toldOf('second.json')
+})

@@ -40,6 +40,7 @@ export interface BooleanParam<Name extends string = string> extends Named<Name> 
 
 /** A parameter as a planner declares it: form, checks and experiments follow from this. */
 export type Param = IntegerParam | NumberParam | ChoiceParam | BooleanParam
+/** Of an integer or a number, a choice, a switch. */
 export type ParamValue = number | string | boolean
 /** Values by parameter name. A name that is missing stands for the default. */
 export type ParamSettings = Readonly<Record<string, ParamValue>>

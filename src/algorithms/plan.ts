@@ -12,6 +12,7 @@ import { completeParams, type ParamSettings } from './params'
 import type { Answer, AnyPlanner, Context, Values } from './planner'
 import { planners } from './planners'
 
+/** How to plan. All of it may be left out. */
 export interface PlanOptions {
   readonly params?: ParamSettings
   /** Seed of all that is random; 1 if none is given. A whole number. */
@@ -22,6 +23,7 @@ export interface PlanOptions {
   readonly progress?: (done: number) => void
 }
 
+/** What came of a plan. */
 export interface Outcome {
   readonly status: Status
   /** One sentence: how it ended, or what the proof is. */

@@ -35,6 +35,7 @@ export interface DriveContext<Values> {
 
 export type Values = Readonly<Record<string, ParamValue>>
 
+/** What is declared of a planner, of whichever family. */
 export interface Planner {
   readonly id: string
   readonly title: string
@@ -76,6 +77,7 @@ export interface OnlinePlanner extends Planner {
 /** The path of an online planner is the rover's trail, so it only says how the drive ended. */
 export type DriveAnswer = Pick<Answer, 'status' | 'reason'>
 
+/** A planner; its `family` tells which kind. */
 export type AnyPlanner = OfflinePlanner | OnlinePlanner
 
 type Described<Params extends readonly Param[]> = Omit<

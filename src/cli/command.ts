@@ -8,7 +8,8 @@ export const USAGE = `Runs an experiment: the planners and maps that a settings 
   npm run experiment -- settings.json [--out rows.jsonl] [--shard i/n] [--workers k]
   npm run experiment -- --merge [--out rows.jsonl] shard1.jsonl shard2.jsonl …
 
-  --out      where the rows go, as JSON lines; without it they are printed.
+  --out      where the rows go, as JSON lines; without it they are printed
+             (with "npm run -s", or npm prints lines of its own above them).
              A run that was broken off goes on where its file ends.
   --shard    only the i-th of n parts of the maps
   --workers  how many threads work (as many as there are cores, if nothing else is said)

@@ -1,18 +1,19 @@
 import { createReadStream, createWriteStream, renameSync } from 'node:fs'
-import { createInterface } from 'node:readline'
 import { pipeline } from 'node:stream/promises'
 import { type Origin, readOrigin } from '../experiments/results'
 import { originToLine, parseLine } from '../experiments/results-json'
-import { WHOLE } from '../experiments/shards'
+import { countWork } from '../experiments/settings'
+import { rangeOfShard, WHOLE } from '../experiments/shards'
 import { InputError } from '../grid/errors'
-import { inFile } from './in-file'
-import { RowOrder } from './row-order'
+import { linesOf } from './lines'
+import { inFile, mapsThere } from './maps-there'
 
 interface ShardFile {
   readonly path: string
   readonly origin: Origin
-  /** How many bytes stand before the first row. */
-  readonly headerBytes: number
+  /** The byte where its rows begin, and the one behind them. */
+  readonly first: number
+  readonly end: number
 }
 
 /**
@@ -22,43 +23,37 @@ interface ShardFile {
  * @throws InputError that names the file that is not of these settings, not complete or there twice
  */
 export async function mergeShards(paths: readonly string[], out: string | null): Promise<void> {
-  const files: ShardFile[] = []
-  for (const path of paths) files.push(await readShardFile(path))
+  const files = paths.map(readShardFile)
   files.sort((a, b) => a.origin.shard.index - b.origin.shard.index)
   checkTogether(files)
-  const part = out === null ? null : `${out}.part`
-  const target = part === null ? process.stdout : createWriteStream(part)
-  target.write(`${originToLine({ ...files[0].origin, shard: WHOLE })}\n`)
-  for (const { path, headerBytes } of files) {
-    await pipeline(createReadStream(path, { start: headerBytes }), target, { end: false })
-  }
-  if (part === null || out === null) return
-  await new Promise<void>((resolve) => target.end(resolve))
+  if (out === null) return pipeline(rowsOf(files), process.stdout, { end: false })
+  const part = `${out}.part`
+  await pipeline(rowsOf(files), createWriteStream(part))
   renameSync(part, out)
 }
 
-/** Reads all of the file, to see that each row is there and in its place. */
-async function readShardFile(path: string): Promise<ShardFile> {
-  let file: { readonly shard: ShardFile; readonly rows: RowOrder } | null = null
-  let number = 0
-  for await (const line of createInterface({ input: createReadStream(path), crlfDelay: 0 })) {
-    number++
-    if (file) {
-      file.rows.take(line, number)
-      continue
-    }
-    const origin = inFile(path, () => readOrigin(parseLine(line, 1)))
-    const shard = { path, origin, headerBytes: Buffer.byteLength(line) + 1 }
-    file = { shard, rows: new RowOrder(path, origin) }
+/** What stands in the file of all of them. */
+async function* rowsOf(files: readonly ShardFile[]) {
+  yield `${originToLine({ ...files[0].origin, shard: WHOLE })}\n`
+  for (const { path, first, end } of files) {
+    // Its option `end` is the last byte that is read.
+    if (first < end) yield* createReadStream(path, { start: first, end: end - 1 })
   }
-  if (file === null) throw new InputError(`${path} is empty.`)
-  const { next, maps } = file.rows
+}
+
+function readShardFile(path: string): ShardFile {
+  const lines = linesOf(path)
+  const { value: header, done } = lines.next()
+  if (done) throw new InputError(`${path} is empty.`)
+  const origin = inFile(path, () => readOrigin(parseLine(header.text, 1)))
+  const { next, end } = mapsThere(path, origin, header, lines)
+  const maps = rangeOfShard(origin.shard, countWork(origin.settings).maps)
   if (next < maps.end) {
     throw new InputError(
       `${path} is not complete: ${maps.end - next} of its ${maps.end - maps.first} maps are missing. Run it again to go on.`,
     )
   }
-  return file.shard
+  return { path, origin, first: header.end, end }
 }
 
 function checkTogether(files: readonly ShardFile[]): void {

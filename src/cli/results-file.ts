@@ -1,10 +1,11 @@
-import { closeSync, ftruncateSync, openSync, readFileSync, writeSync } from 'node:fs'
+import { closeSync, existsSync, ftruncateSync, openSync, writeSync } from 'node:fs'
 import { type Origin, readOrigin } from '../experiments/results'
 import { originToLine, parseLine } from '../experiments/results-json'
 import { countWork } from '../experiments/settings'
 import { rangeOfShard } from '../experiments/shards'
 import { InputError } from '../grid/errors'
-import { RowOrder } from './row-order'
+import { linesOf } from './lines'
+import { type MapsThere, mapsThere } from './maps-there'
 
 /** Where rows are written to, one map after the other. */
 export interface RowsWriter {
@@ -27,10 +28,11 @@ export function printRows(origin: Origin): RowsWriter {
  * @throws InputError if the file has something else in it, which is left as it is
  */
 export function openRowsFile(path: string, origin: Origin): RowsWriter {
-  const { next, bytes } = whatIsThere(path, origin)
-  const file = openSync(path, bytes === 0 ? 'w' : 'r+')
-  ftruncateSync(file, bytes)
-  let end = bytes
+  const there = whatIsThere(path, origin)
+  const isNew = there.end === 0
+  const file = openSync(path, isNew ? 'w' : 'r+')
+  ftruncateSync(file, there.end)
+  let { end } = there
   const write = (lines: string) => {
     const text = Buffer.from(lines)
     for (let done = 0; done < text.length; ) {
@@ -39,38 +41,26 @@ export function openRowsFile(path: string, origin: Origin): RowsWriter {
       end += written
     }
   }
-  if (bytes === 0) write(`${originToLine(origin)}\n`)
-  return { next, write, close: () => closeSync(file) }
+  if (isNew) write(`${originToLine(origin)}\n`)
+  return { next: there.next, write, close: () => closeSync(file) }
 }
 
-/** The first map that is not in the file, and how many bytes those before it take. */
-function whatIsThere(path: string, origin: Origin): { next: number; bytes: number } {
-  const content = readIfThere(path)
-  const rows = new RowOrder(path, origin)
-  const headerEnd = content.indexOf('\n')
-  if (headerEnd < 0) {
-    if (!`${originToLine(origin)}\n`.startsWith(content.toString())) throw isSomethingElse(path)
-    return { next: rows.next, bytes: 0 }
+/** What is in the file, if it is there and is about the same. */
+function whatIsThere(path: string, origin: Origin): MapsThere {
+  const { first } = rangeOfShard(origin.shard, countWork(origin.settings).maps)
+  const nothing = { next: first, end: 0 }
+  if (!existsSync(path)) return nothing
+  const lines = linesOf(path)
+  const { value: header, done } = lines.next()
+  if (done) return nothing
+  if (!header.isWhole) {
+    // A letter of several bytes may be cut, too.
+    const cut = header.text.replace(/\uFFFD$/, '')
+    if (!originToLine(origin).startsWith(cut)) throw isSomethingElse(path)
+    return nothing
   }
-  checkOrigin(path, content.toString('utf8', 0, headerEnd), origin)
-  let bytes = headerEnd + 1
-  let from = bytes
-  for (let number = 2; ; number++) {
-    const lineEnd = content.indexOf('\n', from)
-    if (lineEnd < 0) return { next: rows.next, bytes }
-    const isMapComplete = rows.take(content.toString('utf8', from, lineEnd), number)
-    from = lineEnd + 1
-    if (isMapComplete) bytes = from
-  }
-}
-
-function readIfThere(path: string): Buffer {
-  try {
-    return readFileSync(path)
-  } catch (error) {
-    if (error instanceof Error && 'code' in error && error.code === 'ENOENT') return Buffer.alloc(0)
-    throw error
-  }
+  checkOrigin(path, header.text, origin)
+  return mapsThere(path, origin, header, lines)
 }
 
 function checkOrigin(path: string, line: string, origin: Origin): void {

@@ -1,8 +1,10 @@
 import { BoundaryWalk, obstacleInTheWay, type Turn } from '../algorithms/boundary'
+import { completeParams } from '../algorithms/params'
+import { plannerById } from '../algorithms/plan'
 import { stepOffsets } from '../grid/directions'
 import { type Cell, type Grid, pointOf } from '../grid/grid'
 import { allLegalSteps } from '../grid/legal-steps'
-import type { Problem } from '../grid/problem'
+import { checkProblem, type Problem } from '../grid/problem'
 import { distance, farness, simplestPath, simplestStep } from '../grid/simplest-path'
 import { DriveNotes } from '../rover/drive-notes'
 import { SimulatedRover } from '../rover/simulated-rover'
@@ -50,8 +52,11 @@ export interface LengthBound {
  * it does not know whether this is the same obstacle, because on the grid two may touch one cell. It
  * goes round once more and finds nothing nearer: the goal is unreachable, and this last obstacle
  * counts 2.5 rounds.
+ * @throws InputError that says what is wrong with the problem or the turn
  */
 export function bug1Bound(problem: Problem, turn: Turn): LengthBound {
+  checkProblem(problem)
+  completeParams(plannerById('bug1'), { turn }, problem)
   const { grid, start, goal } = problem
   const legal = allLegalSteps(grid, problem.diagonal)
   const far = (cell: Cell) => farness(pointOf(grid.width, cell), pointOf(grid.width, goal))
@@ -84,8 +89,10 @@ export function bug1Bound(problem: Problem, turn: Turn): LengthBound {
  * (a diagonal step between two obstacle cells does both at once). So there are at most nᵢ / 2 hit
  * points on obstacle i, from each of which the rover walks at most once around, pᵢ steps; and each
  * step along the m-line is walked at most once, D steps.
+ * @throws InputError that says what is wrong with the problem
  */
 export function bug2Bound(problem: Problem): LengthBound {
+  checkProblem(problem)
   const { grid, start, goal } = problem
   const legal = allLegalSteps(grid, problem.diagonal)
   const within = cellsJoinedTo(grid, start)

@@ -1,3 +1,4 @@
+import { fileText } from '../grid/formats/file-text'
 import type { Results } from './results'
 import { resultsFromCsv } from './results-csv'
 import { resultsFromJson, resultsFromLines } from './results-json'
@@ -7,8 +8,9 @@ import { resultsFromJson, resultsFromLines } from './results-json'
  * @throws InputError that says what is wrong with it, and where
  */
 export function openResults(text: string): Results {
-  if (text.startsWith('#')) return resultsFromCsv(text)
-  return beginsWithOrigin(text) ? resultsFromLines(text) : resultsFromJson(text)
+  const content = fileText(text)
+  if (content.startsWith('#')) return resultsFromCsv(content)
+  return beginsWithOrigin(content) ? resultsFromLines(content) : resultsFromJson(content)
 }
 
 /** Whether the first line is a JSON value of its own, and not all of the results in one line. */

@@ -11,8 +11,10 @@ import { type TestMap, testMap } from './test-map'
 /**
  * The rows of one map, one for each planner setting and in their order. A pure function of the
  * settings and the number, times aside: it does not matter who runs which maps, or when.
+ * @param settings as `checkSettings` gave them
  * @param number of the map, from 0
  * @param now a clock in milliseconds
+ * @throws InputError if the number is not such a one
  */
 export function runMap(
   settings: ExperimentSettings,

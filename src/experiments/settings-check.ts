@@ -2,6 +2,7 @@ import { faultOf, type Param } from '../algorithms/params'
 import { planners } from '../algorithms/planners'
 import { InputError } from '../grid/errors'
 import { describe } from '../grid/excerpt'
+import { fileText } from '../grid/formats/file-text'
 import { parseJson } from '../grid/formats/json'
 import { generators } from '../grid/generators'
 import { gridFromRows } from '../grid/text-map'
@@ -24,7 +25,7 @@ import { readSettingsShape } from './settings-shape'
  * @throws InputError that names the line and column of what is not JSON, or the field that is wrong.
  */
 export function readSettings(text: string): ExperimentSettings {
-  return checkSettings(parseJson(text))
+  return checkSettings(parseJson(fileText(text)))
 }
 
 /**

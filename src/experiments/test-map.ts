@@ -1,3 +1,4 @@
+import { InputError } from '../grid/errors'
 import { generators } from '../grid/generators'
 import { type Cell, type Grid, pointOf } from '../grid/grid'
 import type { Problem } from '../grid/problem'
@@ -29,8 +30,14 @@ const MOST_DRAWS = 1000
 /**
  * Map number `number` of an experiment. Kinds of maps take turns, so that the first maps of an
  * experiment that is broken off, and each shard, have all kinds alike.
+ * @param settings as `checkSettings` gave them
+ * @param number from 0
+ * @throws InputError if the number is not such a one
  */
 export function testMap(settings: ExperimentSettings, number: number): TestMap {
+  if (!Number.isSafeInteger(number) || number < 0) {
+    throw new InputError(`The map's number is ${number}: it must be a whole number from 0.`)
+  }
   const kinds = mapKinds(settings)
   const kind = kinds[number % kinds.length]
   const seed = derivedSeed(settings.seed, number)

@@ -49,6 +49,7 @@ export const rowOf = (cell: Cell, share: number): number => ((cell + 0.5) * shar
 /** "(3, 7)": how a place is named in every message. */
 export const placeName = ({ x, y }: Point): string => `(${x}, ${y})`
 
+/** "(3, 7)": the name of the place of a cell. */
 export const cellName = (width: number, cell: Cell): string => placeName(pointOf(width, cell))
 
 /** The grid with each of `cells` made an obstacle or free; the given grid is left as it is. */

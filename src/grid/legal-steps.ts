@@ -30,6 +30,12 @@ export function allLegalSteps(grid: Grid, rule: DiagonalRule): Uint8Array {
   return learn(grid, rule, isOther ? built(grid, rule) : patched(before.steps, edits, grid, rule))
 }
 
+/** Whether the latest map that was asked about had just these walls. */
+export const isKnown = (walls: Uint8Array): boolean =>
+  known !== null &&
+  known.walls.length === walls.length &&
+  differences(known.walls, walls, 0).length === 0
+
 const isOfSameKind = (before: Known, { width, walls }: Grid, rule: DiagonalRule): boolean =>
   before.rule === rule && before.width === width && before.walls.length === walls.length
 

@@ -34,6 +34,7 @@ export function firstIllegalStep({ grid, diagonal }: Problem, path: ArrayLike<Ce
   return -1
 }
 
+/** How long a path is, and how straight. */
 export interface PathMeasure {
   /** Cells on the path, start and goal included. */
   readonly cells: number

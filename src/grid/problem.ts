@@ -1,6 +1,8 @@
 import { InputError } from './errors'
 import { type Cell, cellName, type Grid, MAX_SIDE, MIN_SIDE } from './grid'
+import { isKnown } from './legal-steps'
 import { DIAGONAL_RULES, type DiagonalRule } from './steps'
+import { wordsOf } from './words'
 
 /** What every planner is asked: the way from start to goal on a map, under one rule. A value. */
 export interface Problem {
@@ -35,14 +37,44 @@ function checkEnd(grid: Grid, name: 'start' | 'goal', cell: Cell): void {
   }
 }
 
+/** The latest walls that were found to be nothing but 0 and 1. */
+let sound: Uint8Array | null = null
+
+function checkWalls({ width, walls }: Grid): void {
+  // A map that nothing was asked about yet is read once; of others that would take longer than many a plan.
+  if (walls !== sound && !isKnown(walls) && (bitsOf(walls) & 0xfefefefe) !== 0) {
+    const cell = walls.findIndex((wall) => wall > 1)
+    throw new InputError(
+      `The cell ${cellName(width, cell)} is ${walls[cell]}: it must be 0, free, or 1, an obstacle.`,
+    )
+  }
+  sound = walls
+}
+
+/** All bits that any of the cells has, four cells in a word. */
+function bitsOf(walls: Uint8Array): number {
+  const words = wordsOf(walls)
+  let bits = 0
+  let i = 0
+  for (; i + 3 < words.length; i += 4) bits |= words[i] | words[i + 1] | words[i + 2] | words[i + 3]
+  for (; i < words.length; i++) bits |= words[i]
+  for (let cell = 4 * i; cell < walls.length; cell++) bits |= walls[cell]
+  return bits
+}
+
 /** @throws InputError that says what is wrong with the map, the rule, the start or the goal. */
-export function checkProblem({ grid, start, goal, diagonal }: Problem): void {
+export function checkProblem(problem: Problem): void {
+  if (!(problem?.grid?.walls instanceof Uint8Array)) {
+    throw new InputError('The problem has no map: its "grid" must have "walls", a Uint8Array.')
+  }
+  const { grid, start, goal, diagonal } = problem
   checkSize(grid.width, grid.height)
   if (grid.walls.length !== grid.width * grid.height) {
     throw new InputError(
       `The map has ${grid.walls.length} cells, but ${grid.width} × ${grid.height} make ${grid.width * grid.height}.`,
     )
   }
+  checkWalls(grid)
   if (!DIAGONAL_RULES.includes(diagonal)) {
     throw new InputError(
       `The diagonal rule "${diagonal}" is unknown: use ${DIAGONAL_RULES.join(' or ')}.`,

@@ -1,7 +1,8 @@
 import { InputError } from './errors'
 import { describe, excerpt } from './excerpt'
+import { fileText } from './formats/file-text'
 import type { Cell, Grid } from './grid'
-import { checkSize, type Problem } from './problem'
+import { checkProblem, checkSize, type Problem } from './problem'
 import type { DiagonalRule } from './steps'
 
 /**
@@ -13,7 +14,7 @@ export function problemFromText(
   text: string,
   diagonal: DiagonalRule = 'if-at-most-one-obstacle',
 ): Problem {
-  const rows = text
+  const rows = fileText(text)
     .trim()
     .split(/\r?\n/)
     .map((row) => row.trim())
@@ -43,7 +44,9 @@ export function problemFromText(
   const goal = ends.get('G')
   if (start === undefined) throw new InputError('The map has no start ("S").')
   if (goal === undefined) throw new InputError('The map has no goal ("G").')
-  return { grid: { width, height: rows.length, walls }, start, goal, diagonal }
+  const problem = { grid: { width, height: rows.length, walls }, start, goal, diagonal }
+  checkProblem(problem)
+  return problem
 }
 
 const SIGN = { free: 0x2e, obstacle: 0x23, start: 0x53, goal: 0x47 } as const
@@ -93,8 +96,13 @@ function rowText(rows: readonly unknown[], y: number): string {
   throw new InputError(`Row ${y + 1} must be a text of "#" and ".", but is ${describe(row)}.`)
 }
 
-/** The text map of a problem: what `problemFromText` reads. A start on the goal shows as `G`. */
-export function problemToText({ grid, start, goal }: Problem): string {
+/**
+ * The text map of a problem: what `problemFromText` reads. A start on the goal shows as `G`.
+ * @throws InputError as `checkProblem` does.
+ */
+export function problemToText(problem: Problem): string {
+  checkProblem(problem)
+  const { grid, start, goal } = problem
   const cells = signs(grid)
   cells[start] = SIGN.start
   cells[goal] = SIGN.goal

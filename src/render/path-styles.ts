@@ -29,7 +29,7 @@ const COLOURS_AND_DASHES: readonly (readonly [dark: string, light: string, dash:
   ['#ee9cc9', '#a83579', [9, 1.6, 2.4, 1.6]],
 ]
 
-/** Eight that can be told apart by colour, by dashes and by place. */
+/** They can be told apart by colour, by dashes and by place. */
 export const pathStyles: readonly PathStyle[] = COLOURS_AND_DASHES.map(
   ([dark, light, dash], lane) => ({ colour: { dark, light }, dash, lane }),
 )

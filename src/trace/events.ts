@@ -72,8 +72,10 @@ export const EVENT = {
   estimate: 27,
 } as const
 
+/** One of EVENT. */
 export type EventKind = (typeof EVENT)[keyof typeof EVENT]
 
+/** The names of the kinds in EVENT, each at the place of its number. */
 export const EVENT_NAMES = Object.keys(EVENT) as readonly (keyof typeof EVENT)[]
 
 /**
@@ -89,4 +91,5 @@ export const STATUSES = [
   'loop',
 ] as const
 
+/** One of STATUSES. */
 export type Status = (typeof STATUSES)[number]

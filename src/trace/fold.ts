@@ -1,4 +1,5 @@
 import { stepOffsets } from '../grid/directions'
+import { InputError } from '../grid/errors'
 import type { Cell } from '../grid/grid'
 import type { Directions } from '../grid/steps'
 import { KNOWN, SEARCH, searchIn, withFelt, withKnown, withSearch } from './cell-state'
@@ -21,8 +22,14 @@ export function advance(frame: Frame, tape: Tape, time: number): void {
   frame.time = end
 }
 
-/** The frame after the first `time` events; all of them if `time` is larger. */
+/**
+ * The frame after the first `time` events; all of them if `time` is larger.
+ * @throws InputError if `time` is not a whole number from 0
+ */
 export function frameAt(tape: Tape, time: number): Frame {
+  if (!(time >= 0) || time % 1 > 0) {
+    throw new InputError(`The moment ${time} is not a whole number from 0.`)
+  }
   const frame = firstFrame(tape)
   advance(frame, tape, time)
   return frame

@@ -1,3 +1,4 @@
+import { InputError } from '../grid/errors'
 import type { Cell } from '../grid/grid'
 import type { EventKind } from './events'
 import { CHUNK, CHUNK_BITS, EVENT_BYTES, EVENT_WORDS, PLACE } from './tape-layout'
@@ -42,8 +43,16 @@ export class Tape {
   /** While the chunk has fewer events than this, writing needs no thought. */
   #easy = 0
 
-  /** @param most how many events there may be before some are left out */
+  /**
+   * @param most how many events there may be before some are left out, a whole number from 1
+   * @throws InputError if it is not
+   */
   constructor(most = MOST_EVENTS) {
+    if (!Number.isSafeInteger(most) || most < 1) {
+      throw new InputError(
+        `A tape cannot have at most ${most} events: a whole number from 1 is needed.`,
+      )
+    }
     this.#most = most
   }
 

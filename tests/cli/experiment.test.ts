@@ -36,11 +36,23 @@ describe('the rows are the same', () => {
       ).toBe(0)
     }
     const files = ['3.jsonl', '1.jsonl', '4.jsonl', '2.jsonl']
-    expect(run('--merge', ...files, '--out', 'merged.jsonl')).toMatchObject({ status: 0 })
+    const nothing = { status: 0, stdout: '', stderr: '' }
+    expect(run('--merge', ...files, '--out', 'merged.jsonl')).toEqual(nothing)
     const merged = textOf('merged.jsonl')
     expect(timelessText(merged)).toBe(timelessText(run(settings).stdout))
     expect(run('--merge', ...files).stdout).toBe(merged)
     expect(existsSync(pathOf('merged.jsonl.part'))).toBe(false)
+  })
+
+  test('merged from more shards than there are maps', () => {
+    const settings = settingsFile('tiny.json', { mapsPerCombination: 1 })
+    const files = Array.from({ length: 12 }, (_, i) => `tiny-${i}.jsonl`)
+    files.forEach((file, i) => {
+      run(settings, '--shard', `${i + 1}/12`, '--workers', '1', '--out', file)
+    })
+    const { stdout, stderr } = run('--merge', ...files)
+    expect(stderr).toBe('')
+    expect(timelessText(stdout)).toBe(timelessText(run(settings).stdout))
   })
 
   test.each([
@@ -119,6 +131,9 @@ describe('shards are only merged', () => {
     expect(fault(a, shard('2/3', 'c.jsonl'))).toContain('is one of 2 shards')
     const other = shard('2/2', 'd.jsonl', { seed: 8 })
     expect(fault(a, other)).toContain('a.jsonl and d.jsonl are of different settings.')
+    // Broken off before the end of the last line, which would join it with the first of the next.
+    writeFileSync(pathOf(b), textOf(b).slice(0, -1))
+    expect(fault(a, b)).toContain('b.jsonl is not complete: 1 of its 15 maps are missing.')
     writeFileSync(pathOf(b), textOf(b).slice(0, -1000))
     expect(fault(a, b)).toMatch(/b\.jsonl is (not complete: 1 of its 15 maps|damaged)|no JSON/)
     expect(fault(a, 'nowhere.jsonl')).toContain('nowhere.jsonl')

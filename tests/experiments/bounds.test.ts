@@ -111,3 +111,14 @@ test('an obstacle that the m-line enters twice counts twice for bug2', () => {
   expect(others).toEqual([])
   expect(share.rounds).toBe(2)
 })
+
+test('of what is no problem there is no bound', () => {
+  const problem = problemFromText('S.\n.G')
+  // These would be walked round for ever.
+  for (const start of [Number.NaN, -1, 0.5, 4]) {
+    expect(() => bug1Bound({ ...problem, start }, 'left')).toThrow(`The start is cell ${start}`)
+    expect(() => bug2Bound({ ...problem, start })).toThrow(`The start is cell ${start}`)
+  }
+  const turn = 'up' as unknown as 'left'
+  expect(() => bug1Bound(problem, turn)).toThrow('"up" is not one of left, right')
+})

@@ -19,6 +19,7 @@ const FORMATS = { lines: resultsToLines, json: resultsToJson, csv: resultsToCsv 
 describe.each(Object.entries(FORMATS))('%s', (_, write) => {
   test('is opened again, settings and all', () => {
     expect(openResults(write(results))).toEqual(results)
+    expect(openResults(`\uFEFF${write(results)}`)).toEqual(results)
   })
 
   test('without rows too', () => {

@@ -13,6 +13,8 @@ import { SMALL, settingsWith } from './settings'
 test('what is saved is read again', () => {
   const settings = settingsWith()
   expect(readSettings(saveSettings(settings))).toEqual(settings)
+  // Some editors begin a file with a byte order mark.
+  expect(readSettings(`\uFEFF${saveSettings(settings)}`)).toEqual(settings)
 })
 
 test('lists of values make every combination once, the last list fastest', () => {
@@ -131,6 +133,12 @@ describe('a fault is told in a sentence that begins with the field', () => {
     expect(() => checkSettings(value)).toThrow(
       /^The settings must be an object|^format: is missing/,
     )
+  })
+
+  test('bytes are no text', () => {
+    const bytes = new TextEncoder().encode(saveSettings(settingsWith())) as unknown as string
+    expect(() => readSettings(bytes)).toThrow(InputError)
+    expect(() => readSettings(bytes)).toThrow('A text is needed, but this is an object.')
   })
 
   test('what is not JSON is named by line and column', () => {

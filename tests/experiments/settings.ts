@@ -18,7 +18,7 @@ export const SMALL = {
       family: 'maps',
       maps: [
         { name: 'a wall', rows: ['.......', '...#...', '...#...', '.......'] },
-        { name: 'two rooms', rows: ['...#...', '...#...', '...#...'] },
+        { name: 'two rooms – one door', rows: ['...#...', '...#...', '...#...'] },
       ],
     },
   ],

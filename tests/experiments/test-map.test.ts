@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { cellName, checkProblem, testMap } from '../../src/index'
+import { cellName, checkProblem, InputError, testMap } from '../../src/index'
 import { settingsWith } from './settings'
 
 const settings = settingsWith()
@@ -57,4 +57,9 @@ test('a map without room for the least distance has the farthest ends, and says 
     leastDistance: 9,
   })
   expect(testMap(tight, 0)).toMatchObject({ distance: 1, tooNear: true })
+})
+
+test.each([-1, 1.5, Number.NaN, 2 ** 53])('there is no map number %d', (number) => {
+  expect(() => testMap(settings, number)).toThrow(InputError)
+  expect(() => testMap(settings, number)).toThrow(`The map's number is ${number}`)
 })

@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
-import { InputError, problemFromText, problemToText } from '../../src/index'
+import { type DiagonalRule, InputError, problemFromText, problemToText } from '../../src/index'
 import { problems } from './arbitraries'
 
 test('a text map is read cell by cell', () => {
@@ -50,4 +50,12 @@ describe('what is wrong is named with its place', () => {
     expect(() => problemFromText(text)).toThrow(InputError)
     expect(() => problemFromText(text)).toThrow(message)
   })
+})
+
+test('what is no text, and a rule that is none, are refused', () => {
+  const rows = ['S.', '.G'] as unknown as string
+  expect(() => problemFromText(rows)).toThrow('A text is needed, but this is [')
+  expect(() => problemFromText(rows)).toThrow(InputError)
+  const never = 'never' as unknown as DiagonalRule
+  expect(() => problemFromText('S.\n.G', never)).toThrow('The diagonal rule "never" is unknown')
 })

@@ -31,7 +31,8 @@ test('planners promise completeness as they should', () => {
 })
 
 test('only these promise to be optimal', () => {
-  const promised = planners.flatMap((planner) =>
+  const known = planners.filter(({ id }) => id in COMPLETE)
+  const promised = known.flatMap((planner) =>
     RULES.flatMap((rule) =>
       ['cells', 'euclidean'].flatMap((cost) =>
         planner.optimal({ cost }, rule) ? [`${planner.id} ${rule} ${cost}`] : [],

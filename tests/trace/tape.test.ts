@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
-import { EVENT, Tape } from '../../src/index'
+import { EVENT, frameAt, InputError, Tape } from '../../src/index'
 import { events, HEIGHT, tapeOf, WIDTH } from './arbitraries'
 import { kindsOf, written } from './written'
 
@@ -178,4 +178,14 @@ describe.each([
     tape.write(EVENT.open, 1)
     expect([tape.thinning, tape.length]).toEqual(['whole', 1])
   })
+})
+
+test.each([0, -1, 1.5, Number.NaN])('no tape has room for %d events', (most) => {
+  expect(() => new Tape(most)).toThrow(InputError)
+})
+
+test.each([-1, 0.5, Number.NaN])('there is no frame of the moment %d', (time) => {
+  const tape = tapeOf([])
+  expect(() => frameAt(tape, time)).toThrow(InputError)
+  expect(() => frameAt(tape, time)).toThrow(`The moment ${time} is not a whole number`)
 })

@@ -78,12 +78,16 @@ export function entryForm(entry: Entry, path: string, events: EntryEvents): Entr
   return { element: create('li', { class: 'entry' }, details, remove, fault), fields, show }
 }
 
-function openedMaps({ maps }: Entry, { mapsWanted }: EntryEvents): HTMLElement[] {
+function openedMaps({ key, maps }: Entry, { mapsWanted }: EntryEvents): HTMLElement[] {
   const list = create('ul', { class: 'map-names' })
   for (const { name, rows } of maps) {
     list.append(create('li', {}, `${name}, ${rows[0].length} × ${rows.length}`))
   }
-  const more = create('button', { type: 'button', class: 'btn tonal' }, 'Add maps from files…')
+  const more = create(
+    'button',
+    { type: 'button', class: 'btn tonal', id: `entry-${key}-more` },
+    'Add maps from files…',
+  )
   more.addEventListener('click', mapsWanted)
   const help = 'Files of this page, MovingAI maps and text maps. Start and goal are drawn by lot.'
   return [list, more, create('p', { class: 'help' }, help)]

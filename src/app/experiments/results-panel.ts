@@ -42,10 +42,11 @@ export function resultsPanel(store: Store<PageState>): (state: PageState, isDark
   }
 }
 
-function aboutInWords({ maps, total, results: { settings, rows } }: Shown): string {
+function aboutInWords({ maps, total, results: { settings, shard, rows } }: Shown): string {
   const [m, t, r] = [maps, total, rows.length].map(numberInWords)
   const part = maps < total ? `The first ${m} of ${t} maps` : `${t} maps`
-  return `${part}, ${r} runs, seed ${settings.seed}.`
+  const whose = shard.of > 1 ? ` of shard ${shard.index}/${shard.of}` : ''
+  return `${part}${whose}, ${r} runs, seed ${settings.seed}.`
 }
 
 /** The charts, and the library that draws them, are loaded with the first results. */

@@ -46,11 +46,13 @@ export function settingsForm(store: Store<PageState>, openMaps: () => void): Set
     show(state) {
       if (made?.number !== state.formMade) {
         const opened = openEntries(form)
+        const focused = form.contains(document.activeElement) ? document.activeElement?.id : ''
         made = { number: state.formMade, parts: buildParts(store, openMaps) }
         form.replaceChildren(...made.parts.elements)
         for (const details of form.querySelectorAll('details')) {
           if (opened.has(details.id)) details.open = true
         }
+        if (focused) document.getElementById(focused)?.focus()
       }
       made.parts.show(state)
     },

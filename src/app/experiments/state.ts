@@ -15,7 +15,7 @@ export type Run =
       readonly left: number | null
     }
 
-/** Results on show, and whether they are all that was asked for. */
+/** Results on show, and of how many maps they should be, all or those of a shard. */
 export interface Shown {
   readonly results: Results
   readonly maps: number

@@ -7,6 +7,7 @@ import {
   plannerSettings,
   settingName,
 } from '../../experiments/settings'
+import { rangeOfShard } from '../../experiments/shards'
 import { groupBy } from '../../experiments/summary/groups'
 import { durationInWords } from '../../experiments/time-left'
 import { numberInWords } from '../numbers'
@@ -87,15 +88,15 @@ export function progressInWords({ done, total, left }: Extract<Run, { kind: 'run
   return left === null ? maps : `${maps}, ${durationInWords(left)} left`
 }
 
-/** Shows results, of all maps or of the first ones only. */
+/** Shows results, of all maps or of the first ones only. A run goes on meanwhile. */
 export function showResults(state: PageState, results: Results): PageState {
-  const { maps: total, settings } = countWork(results.settings)
+  const { maps: all, settings } = countWork(results.settings)
+  const { first, end } = rangeOfShard(results.shard, all)
   const maps = Math.floor(results.rows.length / settings)
   const text = `Results of ${numberInWords(maps)} maps.`
   return {
     ...state,
-    run: { kind: 'idle' },
-    shown: { results, maps, total },
+    shown: { results, maps, total: end - first },
     hidden: namesLeftOut(results.settings),
     said: text,
   }
@@ -115,10 +116,12 @@ function namesLeftOut(settings: ExperimentSettings): ReadonlySet<string> {
 }
 
 /** A run that ended before its first map leaves the results of the one before. */
-export const runEnded = (state: PageState, results: Results): PageState =>
-  results.rows.length > 0
+export const runEnded = (state: PageState, results: Results): PageState => ({
+  ...(results.rows.length > 0
     ? showResults(state, results)
-    : { ...state, run: { kind: 'idle' }, said: 'No map was done.' }
+    : { ...state, said: 'No map was done.' }),
+  run: { kind: 'idle' },
+})
 
 export function toggleSeries({ hidden, ...state }: PageState, name: string): PageState {
   const next = new Set(hidden)

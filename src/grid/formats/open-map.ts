@@ -2,6 +2,7 @@ import { InputError } from '../errors'
 import { describe, excerpt } from '../excerpt'
 import { MAX_SIDE } from '../grid'
 import { problemFromText } from '../text-map'
+import { fileText } from './file-text'
 import { parseJson } from './json'
 import { readMovingAiMap } from './movingai'
 import { type OpenedMap, openedWithoutEnds } from './opened-map'
@@ -20,9 +21,8 @@ const MAX_TEXT_MAP_LENGTH = 2 * MAX_SIDE * MAX_SIDE
  * @throws InputError that says what is wrong with the file, and where.
  */
 export function openMap(text: string): OpenedMap {
-  checkLength(text, MAX_FILE_LENGTH)
-  // Some editors begin a file with a byte order mark.
-  const content = text.charCodeAt(0) === 0xfeff ? text.slice(1) : text
+  const content = fileText(text)
+  checkLength(content, MAX_FILE_LENGTH)
   const beginning = content.trimStart().slice(0, 100)
   if (beginning === '') throw new InputError('The file is empty.')
   if (beginning.startsWith('{')) return openJson(Object(parseJson(content)))

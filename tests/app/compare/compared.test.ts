@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest'
 import { plan } from '../../../src/algorithms/plan'
 import { planners } from '../../../src/algorithms/planners'
 import { COLUMNS, medianInWords, sortEntries } from '../../../src/app/compare/columns'
-import { comparedPaths } from '../../../src/app/compare/paths'
+import { comparedPaths, styleOf } from '../../../src/app/compare/paths'
 import {
   comparisonInWords,
   comparisonReady,
@@ -135,12 +135,16 @@ describe('the comparison in the state', () => {
     expect(comparedPaths({ ...full, setup: setupFrom('S.\n.G') })).toEqual([])
   })
 
+  it('draws each planner in a style of its own', () => {
+    expect(new Set(planners.map(({ id }) => styleOf(id))).size).toBe(planners.length)
+  })
+
   it('is said in one sentence when it is ready for the map on screen', () => {
     const reached = full.comparison.entries.filter(({ plan }) => plan.status === 'reached').length
     const words = comparisonInWords(full.comparison)
     const { cells } = entryOf('decomposition').plan
     expect(words).toBe(
-      `Compared: ${reached} of 8 planners reach the goal; the shortest path has ${cells} cells (Grid decomposition).`,
+      `Compared: ${reached} of ${planners.length} planners reach the goal; the shortest path has ${cells} cells (Grid decomposition).`,
     )
     expect(comparisonReady(full, walled).said.text).toBe(words)
     expect(comparisonReady(full, { ...walled, seed: 2 })).toBe(full)

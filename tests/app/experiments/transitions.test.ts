@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest'
+import { openText } from '../../../src/app/experiments/open-files'
 import { presets } from '../../../src/app/experiments/presets'
 import {
   addEntry,
@@ -11,6 +12,7 @@ import {
   showResults,
   toggleSeries,
 } from '../../../src/app/experiments/transitions'
+import { resultsToLines } from '../../../src/experiments/results-json'
 import { countWork } from '../../../src/experiments/settings'
 import { WHOLE } from '../../../src/experiments/shards'
 import { results, rows, settings, state } from './small-experiment'
@@ -61,6 +63,21 @@ describe('the state of the page', () => {
     const ended = runEnded(runStarted(before, 10), { ...results, rows: [] })
     expect(ended.shown).toBe(before.shown)
     expect(ended.run.kind).toBe('idle')
+  })
+
+  it('goes on while other results are looked at', () => {
+    const running = runProgressed(runStarted(state, 100), 30, 1000)
+    expect(openText(running, resultsToLines(results)).run).toBe(running.run)
+  })
+
+  it('knows how many maps a shard should have', () => {
+    const shard = { index: 2, of: 3 }
+    const { maps } = countWork(settings)
+    const first = Math.floor(maps / 3)
+    const own = rows.filter(({ map }) => map >= first && map < Math.floor((2 * maps) / 3))
+    const { shown } = showResults(state, { settings, shard, rows: own })
+    expect(shown?.maps).toBeGreaterThan(1)
+    expect(shown?.total).toBe(shown?.maps)
   })
 
   it('begins with few enough lines where planners have many settings', () => {

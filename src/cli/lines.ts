@@ -1,0 +1,37 @@
+import { closeSync, openSync, readSync } from 'node:fs'
+
+const CHUNK_BYTES = 1 << 20
+const LINE_END = 10
+
+export interface Line {
+  readonly text: string
+  /** How many bytes the file has up to the end of this line. */
+  readonly end: number
+  /** Whether the line is all there; the last one of a run that was broken off may not be. */
+  readonly isWhole: boolean
+}
+
+/** The lines of a file, one after the other: it may be larger than what memory and strings can hold. */
+export function* linesOf(path: string): Generator<Line, void> {
+  const file = openSync(path, 'r')
+  try {
+    const chunk = Buffer.alloc(CHUNK_BYTES)
+    let rest = Buffer.alloc(0)
+    let end = 0
+    for (let count = readSync(file, chunk); count > 0; count = readSync(file, chunk)) {
+      const bytes = Buffer.concat([rest, chunk.subarray(0, count)])
+      let from = 0
+      for (let to = bytes.indexOf(LINE_END); to >= 0; to = bytes.indexOf(LINE_END, from)) {
+        end += to + 1 - from
+        yield { text: bytes.toString('utf8', from, to), end, isWhole: true }
+        from = to + 1
+      }
+      rest = bytes.subarray(from)
+    }
+    if (rest.length > 0) {
+      yield { text: rest.toString(), end: end + rest.length, isWhole: false }
+    }
+  } finally {
+    closeSync(file)
+  }
+}
