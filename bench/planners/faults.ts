@@ -15,7 +15,7 @@ export function faultInWords({ cost, least, error }: Fault): string {
 }
 
 /** Where it can be seen: the map, the query, and the file that the map was saved to. */
-export function saveFault({ who, map, query }: Fault): string {
+function saveFault({ who, map, query }: Fault): string {
   const { grid, origin } = map
   const file = `${FOLDER}/${`${who}, ${origin}`.replaceAll(/[^a-z0-9×-]+/gi, '-')}.map`
   mkdirSync(FOLDER, { recursive: true })

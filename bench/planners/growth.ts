@@ -5,7 +5,7 @@ import { ask, searchesOf } from './ours'
 import { timeAlone } from './timing'
 
 /** A planner whose time is measured over the size of the map. */
-export interface Grower {
+interface Grower {
   readonly name: string
   readonly planner: string
   readonly params: ParamSettings
@@ -14,7 +14,7 @@ export interface Grower {
 }
 
 /** The times of one planner on all maps of a size, in ms. */
-export interface GrowthPoint {
+interface GrowthPoint {
   readonly side: number
   readonly least: number
   readonly median: number

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs'
 import { basename } from 'node:path'
-import { InputError } from '../../src/grid/errors'
+import { InputError, messageOf } from '../../src/grid/errors'
 import { readMovingAiMap } from '../../src/grid/formats/movingai'
 import { readScenarios, type Scenario } from '../../src/grid/formats/movingai-scenarios'
 import type { BenchMap } from './maps'
@@ -47,7 +47,7 @@ function inFile<T>(file: string, read: (text: string) => T): T {
   try {
     return read(readFileSync(file, 'utf8'))
   } catch (error) {
-    throw new InputError(`${file}: ${error instanceof Error ? error.message : String(error)}`)
+    throw new InputError(`${file}: ${messageOf(error)}`)
   }
 }
 

@@ -9,12 +9,12 @@ export const digits = (value: number): string =>
 /** "×" is hard to type: cases are chosen by names in small letters with an x. */
 export const plainName = (name: string): string => name.toLowerCase().replaceAll('×', 'x')
 
-export function targetInWords(target: Target): string {
+function targetInWords(target: Target): string {
   if (target === null) return '–'
   return 'atMost' in target ? `≤ ${target.atMost}` : `≥ ${target.atLeast}`
 }
 
-export function metInWords(target: Target, met: boolean): string {
+function metInWords(target: Target, met: boolean): string {
   if (target === null) return ''
   return met ? 'met' : 'MISSED'
 }

@@ -82,3 +82,15 @@ test('axe finds nothing in the steps, whichever card is open', async ({ page }) 
   await expect(reasons(page).getByRole('button', { name: /: step \d+/ })).toBeVisible()
   await expect(page.getByRole('list', { name: 'Pseudocode' })).toBeVisible()
 })
+
+test('the map is as large when its plan comes late', async ({ map, page }) => {
+  const { scale } = await map.view()
+  await page.route(/worker/, async (route) => {
+    // So late that the page shows progress before.
+    await expect(page.getByRole('button', { name: 'Cancel' })).toBeVisible()
+    await route.continue()
+  })
+  await page.reload()
+  await expect(page.locator('#map')).toHaveAttribute('data-status', 'reached')
+  await expect.poll(async () => (await map.view()).scale).toBe(scale)
+})

@@ -90,6 +90,8 @@ export class Stage {
       this.#request()
       return
     }
+    // With the first plan the cards come to their usual size: only then the page is as it was meant.
+    if (this.#rendered?.shown === null && this.#store.state.shown) this.#layout = 'rearranged'
     if (this.#store.state !== this.#rendered) this.#showPanels(this.#store.state)
     if (this.#layout !== 'measured') this.#measure()
     const { state } = this.#store

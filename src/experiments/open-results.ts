@@ -1,4 +1,4 @@
-import { fileText } from '../grid/formats/file-text'
+import { fileText } from '../grid/file-text'
 import type { Results } from './results'
 import { resultsFromCsv } from './results-csv'
 import { resultsFromJson, resultsFromLines } from './results-json'

@@ -1,6 +1,6 @@
 import { InputError } from './errors'
 import { describe, excerpt } from './excerpt'
-import { fileText } from './formats/file-text'
+import { fileText } from './file-text'
 import type { Cell, Grid } from './grid'
 import { checkProblem, checkSize, type Problem } from './problem'
 import type { DiagonalRule } from './steps'

@@ -1,5 +1,5 @@
-import { InputError } from '../errors'
-import { describe } from '../excerpt'
+import { InputError } from './errors'
+import { describe } from './excerpt'
 
 /**
  * The text of a file without the byte order mark that some editors begin it with.
