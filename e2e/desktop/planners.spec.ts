@@ -1,4 +1,4 @@
-import { outcomeInWords } from '../../src/app/words'
+import { outcomeInWords } from '../../src/app/words/words'
 import {
   type AnyPlanner,
   type Param,

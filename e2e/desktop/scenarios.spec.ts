@@ -1,4 +1,4 @@
-import { scenarios } from '../../src/app/scenarios'
+import { scenarios } from '../../src/app/scenarios/scenarios'
 import { chooseFromMapMenu, expectResult, plannerSelect } from '../actions'
 import { expect, test } from '../fixtures'
 

@@ -1,9 +1,9 @@
 import type { Scene } from '../render/scene'
 import { darkTheme, lightTheme } from '../render/theme'
 import { comparedPaths } from './compare/paths'
-import type { Moment } from './moment'
-import { plannerOf, type Setup, valuesOf } from './setup'
-import type { State } from './state'
+import type { Moment } from './playback/moment'
+import { plannerOf, type Setup, valuesOf } from './state/setup'
+import type { State } from './state/state'
 
 /** What is to be drawn. */
 export function sceneOf(state: State, moment: Moment | null, isDark: boolean): Scene {

@@ -1,6 +1,6 @@
-import { slantingWall, withScenario } from './scenario'
-import type { Setup } from './setup'
-import type { Loaded } from './storage'
+import { slantingWall, withScenario } from './scenarios/scenario'
+import type { Setup } from './state/setup'
+import type { Loaded } from './storage/storage'
 
 /** What newcomers see: a map that is solved already. */
 export function firstSetup(): Setup {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
-import { cellInWords } from '../../src/app/cell-line'
-import type { State } from '../../src/app/state'
+import { cellInWords } from '../../src/app/words/cell-line'
+import type { State } from '../../src/app/state/state'
 import { type KeyPress, mapKey, pageKey, reveal } from '../../src/app/tools/keys'
 import { emptyGrid } from '../../src/grid/grid'
 import { obstaclesOf, stateFrom } from './setups'

@@ -8,7 +8,7 @@ import {
   toLandmarkBefore,
   toLast,
   toNextLandmark,
-} from '../../src/app/transport'
+} from '../../src/app/playback/transport'
 
 const PLACES: readonly KeyPlace[] = ['cursor', 'scrubber', 'button', 'elsewhere']
 

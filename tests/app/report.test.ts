@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { promisesInWords } from '../../src/app/dialogs/about-planner'
 import { reportOf } from '../../src/app/panels/result-card'
-import { withParam } from '../../src/app/setup'
+import { withParam } from '../../src/app/state/setup'
 import {
   hidePath,
   planArrived,
@@ -9,7 +9,7 @@ import {
   planFailed,
   planIsSlow,
   planStarted,
-} from '../../src/app/transitions'
+} from '../../src/app/state/transitions'
 import { planned, setupFrom, stateFrom } from './setups'
 
 describe('the result card', () => {

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest'
-import { maps } from '../../src/app/scenario-maps'
+import { maps } from '../../src/app/scenarios/scenario-maps'
 import {
   frameAt,
   type Outcome,

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest'
-import { scenarios } from '../../src/app/scenarios'
+import { scenarios } from '../../src/app/scenarios/scenarios'
 import { checkProblem, plan } from '../../src/index'
 import expected from './expected.json'
 

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import { plannerById } from '../../src/algorithms/plan'
-import { maps } from '../../src/app/scenario-maps'
+import { maps } from '../../src/app/scenarios/scenario-maps'
 import { EVENT, frameAt, type PlanOptions, plan, problemFromText, Tape } from '../../src/index'
 import { explain } from '../../src/trace/explain'
 import { stepsOf } from '../../src/trace/landmarks'

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest'
-import { maps } from '../../src/app/scenario-maps'
+import { maps } from '../../src/app/scenarios/scenario-maps'
 import { EVENT, InputError, planners, problemFromText, Tape } from '../../src/index'
 import { posthocTrace } from '../../src/trace/posthoc'
 import { checkedTrace } from './posthoc-checks'

@@ -1,7 +1,7 @@
 import { plannerById } from '../../algorithms/plan'
-import { lengthInWords, numberInWords } from '../numbers'
+import { lengthInWords, numberInWords } from '../words/numbers'
 import { compareValues } from '../sorting'
-import { timeInWords } from '../words'
+import { timeInWords } from '../words/words'
 import type { ComparedPlan } from './compared'
 import type { ComparisonEntry } from './state'
 

@@ -5,7 +5,7 @@ import { bug2Bound } from '../../experiments/bounds'
 import { boundOf, type Optimum, ratioToOptimum } from '../../experiments/run-map'
 import { messageOf } from '../../grid/errors'
 import type { Status } from '../../trace/events'
-import type { Setup } from '../setup'
+import type { Setup } from '../state/setup'
 
 /** What planners are compared on: a setup, whichever planner is chosen in it. */
 export type Subject = Pick<Setup, 'problem' | 'params' | 'seed'>

@@ -1,4 +1,4 @@
-import { type AskedWorker, dismiss, listen } from '../asked-worker'
+import { type AskedWorker, dismiss, listen } from '../planning/asked-worker'
 import type { ComparedPlan, Subject } from './compared'
 import type { CompareAnswer, CompareQuestion } from './protocol'
 

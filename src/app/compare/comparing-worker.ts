@@ -1,4 +1,4 @@
-import { askedWorker } from '../asked-worker'
+import { askedWorker } from '../planning/asked-worker'
 import type { CompareWorker } from './comparer'
 
 /** A new worker that compares. */

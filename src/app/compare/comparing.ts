@@ -1,5 +1,5 @@
-import type { State } from '../state'
-import type { Store } from '../store'
+import type { State } from '../state/state'
+import type { Store } from '../state/store'
 import { isSameSubject } from './compared'
 import { Comparer } from './comparer'
 import { comparingWorker } from './comparing-worker'

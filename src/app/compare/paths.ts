@@ -1,6 +1,6 @@
 import { planners } from '../../algorithms/planners'
 import { type PathStyle, pathStyles, type StyledPath } from '../../render/path-styles'
-import type { State } from '../state'
+import type { State } from '../state/state'
 
 /** The style of a planner's path, the same wherever it is shown. */
 export function styleOf(plannerId: string): PathStyle {

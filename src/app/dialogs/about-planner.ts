@@ -1,7 +1,7 @@
 import { byId, create, setText } from '../element'
-import { plannerOf, type Setup, valuesOf } from '../setup'
-import type { State } from '../state'
-import type { Store } from '../store'
+import { plannerOf, type Setup, valuesOf } from '../state/setup'
+import type { State } from '../state/state'
+import type { Store } from '../state/store'
 import markup from './about-planner.html?raw'
 import { newDialog } from './dialog'
 

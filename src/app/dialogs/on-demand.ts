@@ -1,6 +1,6 @@
-import { tell } from '../messages'
-import type { State } from '../state'
-import type { Store } from '../store'
+import { tell } from '../state/messages'
+import type { State } from '../state/state'
+import type { Store } from '../state/store'
 
 const MISSING =
   'This part of the page could not be loaded. It is there again once its server can be reached.'

@@ -1,5 +1,5 @@
 import type { ExperimentSettings } from '../../experiments/settings'
-import { askedWorker } from '../asked-worker'
+import { askedWorker } from '../planning/asked-worker'
 import { type PoolEvents, type PoolWorker, WorkerPool } from './worker-pool'
 
 /** A pool of workers, one for each core. */

@@ -1,7 +1,7 @@
 import type { Chart, Mark } from '../../charts/chart'
 import { type Drawing, drawChart } from '../../charts/draw'
 import { drawStandalone } from '../../charts/save'
-import { download } from '../download'
+import { download } from '../files/download'
 import { create } from '../element'
 import { icon } from '../icons'
 import { bindMarks, focusedMark, makeReachable } from './chart-marks'

@@ -2,7 +2,7 @@ import type { Mark } from '../../charts/chart'
 import { chartsOf } from '../../charts/charts'
 import { chartThemes } from '../../charts/style'
 import type { Results } from '../../experiments/results'
-import { numberInWords } from '../numbers'
+import { numberInWords } from '../words/numbers'
 import { type ChartCard, chartCard } from './chart-card'
 
 export interface ChartsEvents {

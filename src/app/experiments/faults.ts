@@ -1,8 +1,8 @@
 import { countWork, type ExperimentSettings } from '../../experiments/settings'
 import { checkSettings } from '../../experiments/settings-check'
 import { InputError } from '../../grid/errors'
-import { numberInWords } from '../numbers'
-import { capitalised } from '../sentences'
+import { numberInWords } from '../words/numbers'
+import { capitalised } from '../words/sentences'
 import { type Draft, valueIn } from './draft'
 
 /** What is wrong with the settings, and where: "planners[2].params.samples[0]". */

@@ -2,7 +2,7 @@ import type { Param, ParamValue } from '../../algorithms/params'
 import type { GeneratorParam } from '../../grid/generators'
 import { create, setText } from '../element'
 import type { Described } from '../panels/fields'
-import { choiceInWords } from '../sentences'
+import { choiceInWords } from '../words/sentences'
 import type { List } from './draft'
 
 /** A field of the form that can say what is wrong with it. */

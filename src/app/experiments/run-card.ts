@@ -1,6 +1,6 @@
 import { countWork } from '../../experiments/settings'
 import { byId, setText } from '../element'
-import { numberInWords } from '../numbers'
+import { numberInWords } from '../words/numbers'
 import type { PageState } from './state'
 import { progressInWords } from './transitions'
 

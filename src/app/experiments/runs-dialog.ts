@@ -3,7 +3,7 @@ import type { Row } from '../../experiments/row'
 import type { ExperimentSettings } from '../../experiments/settings'
 import { dialog } from '../dialogs/dialog'
 import { byId, create, setText } from '../element'
-import { numberInWords } from '../numbers'
+import { numberInWords } from '../words/numbers'
 import { addressOf } from './open-in-playground'
 import { mapInWords, runInWords } from './run-words'
 

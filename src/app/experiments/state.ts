@@ -1,6 +1,6 @@
 import type { Results } from '../../experiments/results'
-import type { WithMessages } from '../messages'
-import type { Preferences } from '../preferences'
+import type { WithMessages } from '../state/messages'
+import type { Preferences } from '../state/preferences'
 import { type Draft, draftOf } from './draft'
 import { type Checked, checkDraft } from './faults'
 import { presets } from './presets'

@@ -10,7 +10,7 @@ import {
 import { rangeOfShard } from '../../experiments/shards'
 import { groupBy } from '../../experiments/summary/groups'
 import { durationInWords } from '../../experiments/time-left'
-import { numberInWords } from '../numbers'
+import { numberInWords } from '../words/numbers'
 import { type Draft, draftOf, type Entry, type List, newEntry } from './draft'
 import { checkDraft } from './faults'
 import type { PageState, Run } from './state'

@@ -2,7 +2,7 @@ import { InOrder } from '../../experiments/in-order'
 import type { Row } from '../../experiments/row'
 import { countWork, type ExperimentSettings } from '../../experiments/settings'
 import type { MapRange } from '../../experiments/shards'
-import { type AskedWorker, dismiss, listen } from '../asked-worker'
+import { type AskedWorker, dismiss, listen } from '../planning/asked-worker'
 import type { Order, Report } from './protocol'
 
 export type PoolWorker = AskedWorker<Order, Report>

@@ -2,8 +2,8 @@ import { isSameSubject } from '../compare/compared'
 import type { Comparison } from '../compare/state'
 import { toggleComparison, togglePath } from '../compare/transitions'
 import { byId, setText } from '../element'
-import type { State } from '../state'
-import type { Store } from '../store'
+import type { State } from '../state/state'
+import type { Store } from '../state/store'
 import { ComparisonTable } from './compare-table'
 
 /**

@@ -1,5 +1,5 @@
 import { byId, setText } from '../element'
-import type { State } from '../state'
+import type { State } from '../state/state'
 
 const WORDS = 'Too many vertices or edges to show: zoom in.'
 

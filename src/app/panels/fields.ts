@@ -1,6 +1,6 @@
 import { create, setText } from '../element'
-import { boundsInWords, type NumberRule, parseNumber } from '../parse-number'
-import { choiceInWords } from '../sentences'
+import { boundsInWords, type NumberRule, parseNumber } from '../words/parse-number'
+import { choiceInWords } from '../words/sentences'
 
 /** What every field says of itself. */
 export interface Described {

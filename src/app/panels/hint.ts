@@ -1,7 +1,7 @@
 import { byId } from '../element'
-import type { State } from '../state'
-import type { Store } from '../store'
-import { hideCursor, prefer } from '../transitions'
+import type { State } from '../state/state'
+import type { Store } from '../state/store'
+import { hideCursor, prefer } from '../state/transitions'
 
 /**
  * Binds the line that greets newcomers; returns what shows a state in it.

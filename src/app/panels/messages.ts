@@ -1,7 +1,7 @@
 import { byId, create } from '../element'
 import { icon } from '../icons'
-import { dismiss, type Message, type WithMessages } from '../messages'
-import type { Store } from '../store'
+import { dismiss, type Message, type WithMessages } from '../state/messages'
+import type { Store } from '../state/store'
 
 /**
  * Binds the messages at the edge of the screen: errors stay until they are closed, notes until

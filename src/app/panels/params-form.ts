@@ -1,9 +1,9 @@
 import { defaultOf, type Param, type ParamValue } from '../../algorithms/params'
 import type { AnyPlanner } from '../../algorithms/planner'
-import { plannerOf, type Setup, settingsOf, withParam } from '../setup'
-import type { State } from '../state'
-import type { Store } from '../store'
-import { change, commit, edit } from '../transitions'
+import { plannerOf, type Setup, settingsOf, withParam } from '../state/setup'
+import type { State } from '../state/state'
+import type { Store } from '../state/store'
+import { change, commit, edit } from '../state/transitions'
 import { choiceField, numberField, switchField } from './fields'
 
 /** The form of a planner's parameters, built from what it declares. */

@@ -1,18 +1,18 @@
 import { placeAfter } from '../../trace/landmarks'
-import { cellFactsInWords, cellInWords } from '../cell-line'
+import { cellFactsInWords, cellInWords } from '../words/cell-line'
 import { byId, create, setText } from '../element'
 import { type IconName, setIcon } from '../icons'
-import { isAtEnd, type Moment } from '../moment'
-import { numberInWords } from '../numbers'
-import { SIGHTS } from '../preferences'
-import { plannerOf } from '../setup'
-import { isFast, SPEEDS, speedInWords } from '../speeds'
-import { cellAskedAbout, type State, visiblePlan } from '../state'
-import { stepInWords } from '../steps-in-words'
-import type { Store } from '../store'
-import { leftOut } from '../thinning'
-import { type Timeline, timelineOf } from '../timeline'
-import { prefer, say } from '../transitions'
+import { isAtEnd, type Moment } from '../playback/moment'
+import { numberInWords } from '../words/numbers'
+import { SIGHTS } from '../state/preferences'
+import { plannerOf } from '../state/setup'
+import { isFast, SPEEDS, speedInWords } from '../playback/speeds'
+import { cellAskedAbout, type State, visiblePlan } from '../state/state'
+import { stepInWords } from '../words/steps-in-words'
+import type { Store } from '../state/store'
+import { leftOut } from '../words/thinning'
+import { type Timeline, timelineOf } from '../playback/timeline'
+import { prefer, say } from '../state/transitions'
 import {
   chooseSpeed,
   stepBack,
@@ -24,7 +24,7 @@ import {
   toLast,
   toNextLandmark,
   toStep,
-} from '../transport'
+} from '../playback/transport'
 
 const SIGHT_NAMES = { both: 'Both', world: 'World', known: 'What the rover knows' } as const
 

@@ -1,10 +1,10 @@
 import { byId, setText } from '../element'
 import { type IconName, setIcon } from '../icons'
-import type { Planning } from '../planning'
-import { plannerOf } from '../setup'
-import type { State } from '../state'
-import { PATH_HIDDEN } from '../transitions'
-import { outcomeInWords, outcomeNumbers, type Row, reasonInWords, toneOf } from '../words'
+import type { Planning } from '../planning/planning'
+import { plannerOf } from '../state/setup'
+import type { State } from '../state/state'
+import { PATH_HIDDEN } from '../state/transitions'
+import { outcomeInWords, outcomeNumbers, type Row, reasonInWords, toneOf } from '../words/words'
 import { showRows } from './rows'
 
 interface Report {

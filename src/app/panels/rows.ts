@@ -1,5 +1,5 @@
 import { create, setText } from '../element'
-import type { Row } from '../words'
+import type { Row } from '../words/words'
 
 /** Shows labelled values in a table; it is hidden if there are none. */
 export function showRows(table: HTMLTableElement, rows: readonly Row[]): void {

@@ -1,6 +1,6 @@
 import { byId } from '../element'
 import { type IconName, setIcon } from '../icons'
-import type { ThemeChoice } from '../preferences'
+import type { ThemeChoice } from '../state/preferences'
 
 const NEXT: Readonly<Record<ThemeChoice, ThemeChoice>> = {
   system: 'dark',

@@ -1,11 +1,11 @@
 import { type Direction, DX, DY } from '../../grid/directions'
 import { type Cell, cellName, type Grid, isInside, pointOf } from '../../grid/grid'
 import { cellRect, panBy, type Rect, type ScreenSize, type View, zoomAt } from '../../render/view'
-import { cellInWords } from '../cell-line'
+import { cellInWords } from '../words/cell-line'
 import { roomForMap } from '../layout/room'
-import { tell } from '../messages'
-import { withGrid, withMark } from '../setup'
-import type { State, Transition } from '../state'
+import { tell } from '../state/messages'
+import { withGrid, withMark } from '../state/setup'
+import type { State, Transition } from '../state/state'
 import {
   change,
   fitToRoom,
@@ -16,7 +16,7 @@ import {
   say,
   sayOfCell,
   undo,
-} from '../transitions'
+} from '../state/transitions'
 import { gripAt, paint } from './stroke'
 
 /** A key with its modifiers, as far as they matter. `command` is Ctrl, on a Mac ⌘ as well. */

@@ -1,8 +1,8 @@
 import type { Point } from '../../grid/grid'
 import { panBy, zoomAt } from '../../render/view'
-import type { State } from '../state'
-import type { Store } from '../store'
-import { look } from '../transitions'
+import type { State } from '../state/state'
+import type { Store } from '../state/store'
+import { look } from '../state/transitions'
 import type { Tool } from './tool'
 
 /** Drags the map about. */

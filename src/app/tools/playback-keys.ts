@@ -1,4 +1,4 @@
-import type { Transition } from '../state'
+import type { Transition } from '../state/state'
 import {
   stepBack,
   stepForward,
@@ -7,7 +7,7 @@ import {
   toLandmarkBefore,
   toLast,
   toNextLandmark,
-} from '../transport'
+} from '../playback/transport'
 import type { KeyPress } from './keys'
 
 /**

@@ -11,9 +11,9 @@ import {
   toggleComparison,
   togglePath,
 } from '../../../src/app/compare/transitions'
-import { defaultPreferences } from '../../../src/app/preferences'
-import { withSettings } from '../../../src/app/setup'
-import { initialState } from '../../../src/app/state'
+import { defaultPreferences } from '../../../src/app/state/preferences'
+import { withSettings } from '../../../src/app/state/setup'
+import { initialState } from '../../../src/app/state/state'
 import { setupFrom } from '../setups'
 import { entriesOf, walled } from './setups'
 

@@ -1,6 +1,6 @@
 import { presets } from '../../../src/app/experiments/presets'
 import { initialState } from '../../../src/app/experiments/state'
-import { defaultPreferences } from '../../../src/app/preferences'
+import { defaultPreferences } from '../../../src/app/state/preferences'
 import { runMap } from '../../../src/experiments/run-map'
 import { countWork, type ExperimentSettings } from '../../../src/experiments/settings'
 import { WHOLE } from '../../../src/experiments/shards'

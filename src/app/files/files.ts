@@ -1,0 +1,58 @@
+import { InputError, messageOf } from '../../grid/errors'
+import type { Problem } from '../../grid/problem'
+import { DIAGONAL_RULE_WORDS } from '../words/diagonal-rules'
+import { onFileDropped } from './drop-zone'
+import { byId } from '../element'
+import { tell } from '../state/messages'
+import type { State } from '../state/state'
+import type { Store } from '../state/store'
+import { changeMap } from '../state/transitions'
+
+/** More than any map needs; a larger file is not even read. */
+const MOST_BYTES = 64 * 2 ** 20
+
+/** Opens the map in a file. If that fails, a message says why, and the map on screen stays. */
+async function openFile(store: Store<State>, file: File): Promise<void> {
+  try {
+    if (file.size > MOST_BYTES) {
+      const size = Math.round(file.size / 2 ** 20)
+      throw new InputError(
+        `It has ${size} MB, more than the ${MOST_BYTES / 2 ** 20} MB of any map.`,
+      )
+    }
+    const { openMap } = await import('../../grid/formats/open-map')
+    const { problem, notes } = openMap(await file.text())
+    const { width, height } = problem.grid
+    const opened = `Opened ${file.name}: ${width} × ${height} cells.`
+    store.update((state) => {
+      const changed = changeMap(state, { ...state.setup, problem }, opened)
+      return tell(changed, 'note', [opened, ...notes, ...ruleNote(state, problem)].join(' '))
+    })
+  } catch (error) {
+    store.update((state) =>
+      tell(state, 'error', `${file.name} was not opened. ${messageOf(error)}`),
+    )
+  }
+}
+
+/** Who did not choose another rule would wonder why the same map has another path. */
+function ruleNote({ setup }: State, { diagonal }: Problem): string[] {
+  if (diagonal === setup.problem.diagonal) return []
+  return [`Diagonal steps are now: ${DIAGONAL_RULE_WORDS[diagonal].title}.`]
+}
+
+/** Binds the file input and dropping a file anywhere on the page; returns what asks for a file. */
+export function bindFiles(store: Store<State>): () => void {
+  const input = byId('file', HTMLInputElement)
+  const zone = byId('drop-zone', HTMLDivElement)
+  const open = (file: File | undefined) => {
+    if (file) void openFile(store, file)
+  }
+  input.addEventListener('change', () => {
+    open(input.files?.[0])
+    // The same file can be chosen again.
+    input.value = ''
+  })
+  onFileDropped(zone, open)
+  return () => input.click()
+}

@@ -1,0 +1,82 @@
+import { messageOf } from '../../grid/errors'
+import type { Grid } from '../../grid/grid'
+import type { Problem } from '../../grid/problem'
+import type { Scene } from '../../render/scene'
+import { download } from './download'
+import { tell } from '../state/messages'
+import { plannerOf } from '../state/setup'
+import { type State, visiblePlan } from '../state/state'
+import type { Store } from '../state/store'
+import { say } from '../state/transitions'
+
+/** A file as it is handed to the browser. */
+interface Saved {
+  readonly name: string
+  readonly content: string | Blob
+}
+
+/** The map's name without an ending, the same for all files that belong together. */
+const nameOf = ({ width, height }: Grid): string => `path-planner-${width}x${height}`
+
+async function projectFile({ setup: { problem } }: State): Promise<Saved> {
+  const { saveProject } = await import('../../grid/formats/project-file')
+  return { name: `${nameOf(problem.grid)}.json`, content: saveProject(problem) }
+}
+
+async function mapFile({ grid }: Problem): Promise<Saved> {
+  const { movingAiMap } = await import('../../grid/formats/movingai')
+  return { name: `${nameOf(grid)}.map`, content: movingAiMap(grid) }
+}
+
+/** The trace of the plan on screen, and the map that it opens upon. */
+async function traceFiles(state: State): Promise<Saved[]> {
+  const shown = visiblePlan(state)
+  if (!shown) throw new Error('There is no plan on screen.')
+  const { posthocTrace } = await import('../../trace/posthoc')
+  const { setup, tape } = shown
+  const { id, title, phases, variables } = plannerOf(setup)
+  const { problem } = setup
+  const map = await mapFile(problem)
+  const info = { plannerId: id, title, phases, variables, problem, mapFile: map.name }
+  const name = `${nameOf(problem.grid)}-${id}.trace.json`
+  return [{ name, content: posthocTrace(tape, info) }, map]
+}
+
+async function pictureFile({ setup }: State, scene: Scene, kind: 'png' | 'svg'): Promise<Saved> {
+  const { pictureAsPng, pictureAsSvg } = await import('../../render/export')
+  const name = `${nameOf(setup.problem.grid)}-${setup.plannerId}.${kind}`
+  const asMap = { ...scene, cursor: -1, hovered: -1 }
+  const content = kind === 'png' ? await pictureAsPng(asMap) : pictureAsSvg(asMap)
+  return { name, content }
+}
+
+/** What saves, by the name of the menu's entry. If it fails, a message says why. */
+export function savers(store: Store<State>, sceneNow: () => Scene) {
+  const save = (files: (state: State) => Promise<readonly Saved[]>) => () => {
+    void files(store.state).then(
+      (saved) => {
+        for (const { name, content } of saved) download(content, typeOf(name), name)
+        const names = saved.map(({ name }) => name).join(' and ')
+        store.update((state) => say(state, `Saved as ${names}.`))
+      },
+      (error: unknown) => {
+        store.update((state) => tell(state, 'error', `Nothing was saved. ${messageOf(error)}`))
+      },
+    )
+  }
+  return {
+    save: save(async (state) => [await projectFile(state)]),
+    'save-map': save(async (state) => [await mapFile(state.setup.problem)]),
+    'save-trace': save(traceFiles),
+    'save-png': save(async (state) => [await pictureFile(state, sceneNow(), 'png')]),
+    'save-svg': save(async (state) => [await pictureFile(state, sceneNow(), 'svg')]),
+  }
+}
+
+const TYPES: Readonly<Record<string, string>> = {
+  json: 'application/json',
+  map: 'text/plain',
+  svg: 'image/svg+xml',
+}
+
+const typeOf = (name: string): string => TYPES[name.slice(name.lastIndexOf('.') + 1)] ?? ''

@@ -1,0 +1,54 @@
+import { plan } from '../../algorithms/plan'
+import { messageOf } from '../../grid/errors'
+import { foldWhole } from '../../trace/checkpoints'
+import { type Frame, packed } from '../../trace/frame'
+import { Tape } from '../../trace/tape'
+import { timelineOf } from '../playback/timeline'
+import type { WorkerAnswer, WorkerQuestion } from './worker-protocol'
+
+const BETWEEN_REPORTS_MS = 50
+
+self.onmessage = ({ data }: MessageEvent<WorkerQuestion>) => {
+  try {
+    answer(data)
+  } catch (error) {
+    send({ kind: 'refused', id: data.id, message: messageOf(error) })
+  }
+}
+
+function answer({ id, problem, plannerId, params, seed }: WorkerQuestion): void {
+  const tape = new Tape()
+  const began = performance.now()
+  let reported = began
+  const progress = (done: number) => {
+    const now = performance.now()
+    if (now - reported < BETWEEN_REPORTS_MS) return
+    reported = now
+    send({ kind: 'progress', id, done })
+  }
+  const outcome = plan(problem, plannerId, { params, seed, tape, progress })
+  const milliseconds = performance.now() - began
+  const folded = foldWhole(tape)
+  const last = packed(folded.last)
+  const checkpoints = folded.checkpoints.map(packed)
+  const timeline = timelineOf(tape)
+  const data = tape.release()
+  send({ kind: 'planned', id, outcome, tape: data, last, checkpoints, timeline, milliseconds }, [
+    ...data.buffers,
+    // Frames share what they have in common.
+    ...new Set([last, ...checkpoints].flatMap(frameBuffers)),
+    timeline.steps.buffer,
+    timeline.landmarks.buffer,
+  ])
+}
+
+/** All arrays in a frame: those of its cells, its fields and its lists. */
+function frameBuffers({ fields, ...frame }: Frame): ArrayBufferLike[] {
+  return [...Object.values(frame), ...Object.values(fields)]
+    .filter((value) => ArrayBuffer.isView(value))
+    .map(({ buffer }) => buffer)
+}
+
+function send(message: WorkerAnswer, buffers: ArrayBufferLike[] = []): void {
+  self.postMessage(message, { transfer: buffers as ArrayBuffer[] })
+}

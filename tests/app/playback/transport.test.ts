@@ -1,0 +1,120 @@
+import { describe, expect, it } from 'vitest'
+import { Moments } from '../../../src/app/playback/moment'
+import { tempoOf } from '../../../src/app/playback/speeds'
+import { type State, THE_END } from '../../../src/app/state/state'
+import { stepAt, timelineOf } from '../../../src/app/playback/timeline'
+import { hidePath } from '../../../src/app/state/transitions'
+import {
+  chooseSpeed,
+  played,
+  stepBack,
+  stepForward,
+  toFirst,
+  togglePlay,
+  toLandmarkBefore,
+  toLast,
+  toNextLandmark,
+  toStep,
+} from '../../../src/app/playback/transport'
+import { frameAt } from '../../../src/trace/fold'
+import { HOOK, shownState } from '../setups'
+
+const begin = shownState(HOOK)
+const { tape } = begin.shown
+const timeline = timelineOf(tape)
+const { steps, landmarks } = timeline
+
+describe('the cursor on the tape', () => {
+  it('begins at the end', () => {
+    expect(begin.time).toBe(THE_END)
+  })
+
+  it('goes by steps, forwards and backwards', () => {
+    let state: State = toFirst(begin)
+    for (const time of steps.subarray(1, -1)) {
+      state = stepForward(state)
+      expect(state.time).toBe(time)
+    }
+    state = stepForward(state)
+    expect(state.time).toBe(THE_END)
+    expect(stepForward(state).time).toBe(THE_END)
+    for (const time of [...steps.subarray(0, -1)].reverse()) {
+      state = stepBack(state)
+      expect(state.time).toBe(time)
+    }
+    expect(stepBack(state).time).toBe(0)
+  })
+
+  it('goes by landmarks', () => {
+    let state: State = toFirst(begin)
+    for (const time of landmarks.subarray(0, -1)) {
+      state = toNextLandmark(state)
+      expect(state.time).toBe(time)
+    }
+    expect(toNextLandmark(state).time).toBe(THE_END)
+    for (const time of [...landmarks.subarray(0, -2)].reverse()) {
+      state = toLandmarkBefore(state)
+      expect(state.time).toBe(time)
+    }
+    expect(toLandmarkBefore(state).time).toBe(0)
+  })
+
+  it('goes to the step of a number, and no further than there are', () => {
+    expect(toStep(begin, 3).time).toBe(steps[3])
+    expect(toStep(begin, 1e6).time).toBe(THE_END)
+    expect(toStep(begin, -1).time).toBe(0)
+    expect(stepAt(timeline, steps[3])).toBe(3)
+  })
+
+  it('has nowhere to go without a plan', () => {
+    const hidden = hidePath(begin)
+    for (const move of [stepBack, toFirst, toNextLandmark, togglePlay]) {
+      expect(move(hidden)).toMatchObject({ time: THE_END, playing: null })
+      expect(move(hidden).said.text).toMatch(/^There is no plan/)
+    }
+  })
+
+  it('shows the frame that belongs to it', () => {
+    const moments = new Moments()
+    const shown = [toFirst(begin), toStep(begin, 9), toStep(begin, 4), begin].map(
+      (state) => moments.of(state)?.frame.trail.length,
+    )
+    const expected = [0, steps[9], steps[4], tape.length].map((t) => frameAt(tape, t).trail.length)
+    expect(shown).toEqual(expected)
+    expect(moments.of(begin)?.frame).toBe(begin.shown.last)
+    expect(moments.of(hidePath(begin))).toBeNull()
+  })
+})
+
+describe('playing', () => {
+  it('starts anew at the end, and else goes on from where it is', () => {
+    expect(togglePlay(begin)).toMatchObject({ time: 0, playing: tempoOf(5) })
+    const middle = toStep(begin, 4)
+    expect(togglePlay(middle)).toMatchObject({ time: steps[4], playing: tempoOf(5) })
+  })
+
+  it('leaves the cursor where it is stopped', () => {
+    const stopped = togglePlay(played(togglePlay(begin), 7))
+    expect(stopped).toMatchObject({ time: 7, playing: null })
+  })
+
+  it('ends at the end', () => {
+    const playing = togglePlay(begin)
+    for (const time of [tape.length, THE_END]) {
+      expect(played(playing, time)).toMatchObject({ time: THE_END, playing: null })
+    }
+  })
+
+  it('stops when the cursor is moved by hand', () => {
+    for (const move of [stepForward, stepBack, toLast, toNextLandmark]) {
+      expect(move(togglePlay(begin)).playing).toBeNull()
+    }
+  })
+
+  it('goes on at another speed', () => {
+    const playing = played(togglePlay(begin), 7)
+    expect(chooseSpeed(playing, 30)).toMatchObject({ time: 7, playing: tempoOf(30) })
+    expect(chooseSpeed(begin, 'moment').playing).toBeNull()
+    expect(togglePlay(chooseSpeed(begin, 'moment')).playing).toEqual(tempoOf('moment'))
+  })
+})
