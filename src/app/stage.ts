@@ -1,14 +1,14 @@
 import { Picture } from '../render/picture'
 import type { Scene } from '../render/scene'
 import { Cards } from './layout/cards'
-import { mapAttributes, mapLabel } from './words/map-attributes'
 import { type Moment, Moments } from './playback/moment'
 import { Playback } from './playback/playback'
+import { played } from './playback/transport'
 import { sceneOf } from './scene'
 import { type State, visiblePlan } from './state/state'
 import type { Store } from './state/store'
 import { crowd, layOut } from './state/transitions'
-import { played } from './playback/transport'
+import { mapAttributes, mapLabel } from './words/map-attributes'
 
 /** Shows a state, and the plan at the moment at which its cursor stands. */
 export type Panel = (state: State, moment: Moment | null) => void

@@ -1,7 +1,12 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import { oncePlanned } from '../../src/app/first-picture'
 import { createStore } from '../../src/app/state/store'
-import { planArrived, planFailed, planProgressed, planStarted } from '../../src/app/state/transitions'
+import {
+  planArrived,
+  planFailed,
+  planProgressed,
+  planStarted,
+} from '../../src/app/state/transitions'
 import { planned, stateFrom } from './setups'
 
 beforeEach(() => {

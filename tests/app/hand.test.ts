@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, it } from 'vitest'
 import type { State } from '../../src/app/state/state'
 import { createStore, type Store } from '../../src/app/state/store'
-import { Hand, type Press } from '../../src/app/tools/hand'
 import { undo } from '../../src/app/state/transitions'
+import { Hand, type Press } from '../../src/app/tools/hand'
 import type { Point } from '../../src/grid/grid'
 import { obstaclesOf, stateFrom } from './setups'
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
-import { cellInWords } from '../../src/app/words/cell-line'
 import type { State } from '../../src/app/state/state'
 import { type KeyPress, mapKey, pageKey, reveal } from '../../src/app/tools/keys'
+import { cellInWords } from '../../src/app/words/cell-line'
 import { emptyGrid } from '../../src/grid/grid'
 import { obstaclesOf, stateFrom } from './setups'
 

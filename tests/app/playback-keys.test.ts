@@ -1,5 +1,4 @@
 import { describe, expect, it } from 'vitest'
-import { type KeyPlace, playbackKey } from '../../src/app/tools/playback-keys'
 import {
   stepBack,
   stepForward,
@@ -9,6 +8,7 @@ import {
   toLast,
   toNextLandmark,
 } from '../../src/app/playback/transport'
+import { type KeyPlace, playbackKey } from '../../src/app/tools/playback-keys'
 
 const PLACES: readonly KeyPlace[] = ['cursor', 'scrubber', 'button', 'elsewhere']
 

@@ -1,6 +1,6 @@
 import { plannerById } from '../../algorithms/plan'
-import { lengthInWords, numberInWords } from '../words/numbers'
 import { compareValues } from '../sorting'
+import { lengthInWords, numberInWords } from '../words/numbers'
 import { timeInWords } from '../words/words'
 import type { ComparedPlan } from './compared'
 import type { ComparisonEntry } from './state'

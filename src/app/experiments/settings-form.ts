@@ -1,7 +1,7 @@
 import { DIAGONAL_RULES } from '../../grid/steps'
-import { DIAGONAL_RULE_WORDS } from '../words/diagonal-rules'
 import { byId, create } from '../element'
 import type { Store } from '../state/store'
+import { DIAGONAL_RULE_WORDS } from '../words/diagonal-rules'
 import type { Draft } from './draft'
 import { entryGroup } from './entry-group'
 import { type Fault, fieldFor } from './faults'

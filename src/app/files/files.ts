@@ -1,12 +1,12 @@
 import { InputError, messageOf } from '../../grid/errors'
 import type { Problem } from '../../grid/problem'
-import { DIAGONAL_RULE_WORDS } from '../words/diagonal-rules'
-import { onFileDropped } from './drop-zone'
 import { byId } from '../element'
 import { tell } from '../state/messages'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
 import { changeMap } from '../state/transitions'
+import { DIAGONAL_RULE_WORDS } from '../words/diagonal-rules'
+import { onFileDropped } from './drop-zone'
 
 /** More than any map needs; a larger file is not even read. */
 const MOST_BYTES = 64 * 2 ** 20

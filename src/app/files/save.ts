@@ -2,12 +2,12 @@ import { messageOf } from '../../grid/errors'
 import type { Grid } from '../../grid/grid'
 import type { Problem } from '../../grid/problem'
 import type { Scene } from '../../render/scene'
-import { download } from './download'
 import { tell } from '../state/messages'
 import { plannerOf } from '../state/setup'
 import { type State, visiblePlan } from '../state/state'
 import type { Store } from '../state/store'
 import { say } from '../state/transitions'
+import { download } from './download'
 
 /** A file as it is handed to the browser. */
 interface Saved {

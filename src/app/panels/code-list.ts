@@ -1,7 +1,7 @@
 import type { AnyPlanner } from '../../algorithms/planner'
-import { type CodeLine, codeSection } from '../words/code-section'
 import { create } from '../element'
 import { plannerOf, type Setup, valuesOf } from '../state/setup'
+import { type CodeLine, codeSection } from '../words/code-section'
 
 /** The planner's pseudocode in a box that scrolls to the line of the step. */
 export class CodeList {

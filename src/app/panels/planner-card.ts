@@ -1,12 +1,12 @@
 import { planners } from '../../algorithms/planners'
 import { MAX_SEED } from '../../grid/random'
 import { DIAGONAL_RULES } from '../../grid/steps'
-import { DIAGONAL_RULE_WORDS } from '../words/diagonal-rules'
 import { byId, create, setText } from '../element'
 import { plannerOf, type Setup, withDiagonal, withSettings } from '../state/setup'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
 import { change, commit, edit, prefer } from '../state/transitions'
+import { DIAGONAL_RULE_WORDS } from '../words/diagonal-rules'
 import { numberField, switchField } from './fields'
 import { type ParamsForm, paramsForm } from './params-form'
 

@@ -1,18 +1,9 @@
 import { placeAfter } from '../../trace/landmarks'
-import { cellFactsInWords, cellInWords } from '../words/cell-line'
 import { byId, create, setText } from '../element'
 import { type IconName, setIcon } from '../icons'
 import { isAtEnd, type Moment } from '../playback/moment'
-import { numberInWords } from '../words/numbers'
-import { SIGHTS } from '../state/preferences'
-import { plannerOf } from '../state/setup'
 import { isFast, SPEEDS, speedInWords } from '../playback/speeds'
-import { cellAskedAbout, type State, visiblePlan } from '../state/state'
-import { stepInWords } from '../words/steps-in-words'
-import type { Store } from '../state/store'
-import { leftOut } from '../words/thinning'
 import { type Timeline, timelineOf } from '../playback/timeline'
-import { prefer, say } from '../state/transitions'
 import {
   chooseSpeed,
   stepBack,
@@ -25,6 +16,15 @@ import {
   toNextLandmark,
   toStep,
 } from '../playback/transport'
+import { SIGHTS } from '../state/preferences'
+import { plannerOf } from '../state/setup'
+import { cellAskedAbout, type State, visiblePlan } from '../state/state'
+import type { Store } from '../state/store'
+import { prefer, say } from '../state/transitions'
+import { cellFactsInWords, cellInWords } from '../words/cell-line'
+import { numberInWords } from '../words/numbers'
+import { stepInWords } from '../words/steps-in-words'
+import { leftOut } from '../words/thinning'
 
 const SIGHT_NAMES = { both: 'Both', world: 'World', known: 'What the rover knows' } as const
 

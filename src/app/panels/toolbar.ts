@@ -1,8 +1,8 @@
 import { byId } from '../element'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
-import { wholeMapShown, ZOOM_STEP, zoomed } from '../tools/keys'
 import { prefer, redo, say, undo } from '../state/transitions'
+import { wholeMapShown, ZOOM_STEP, zoomed } from '../tools/keys'
 import { themeButton } from './theme-button'
 
 /** Binds the toolbar's buttons; returns what shows a state in them. */

@@ -1,10 +1,8 @@
 import { Tape } from '../../trace/tape'
-import { planningWorker } from './planning-worker'
-import { Solver } from './solver'
 import type { Tempo } from '../playback/speeds'
+import { keepTimeline } from '../playback/timeline'
 import type { Shown, State } from '../state/state'
 import type { Store } from '../state/store'
-import { keepTimeline } from '../playback/timeline'
 import {
   planArrived,
   planCancelled,
@@ -13,6 +11,8 @@ import {
   planProgressed,
   planStarted,
 } from '../state/transitions'
+import { planningWorker } from './planning-worker'
+import { Solver } from './solver'
 
 const SLOW_AFTER_MS = 200
 

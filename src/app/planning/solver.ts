@@ -1,5 +1,5 @@
-import { type AskedWorker, dismiss, listen } from './asked-worker'
 import type { Setup } from '../state/setup'
+import { type AskedWorker, dismiss, listen } from './asked-worker'
 import type { WorkerAnswer, WorkerQuestion } from './worker-protocol'
 import { questionOf } from './worker-protocol'
 

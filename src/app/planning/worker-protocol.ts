@@ -3,8 +3,8 @@ import type { Outcome } from '../../algorithms/plan'
 import type { Problem } from '../../grid/problem'
 import type { Frame } from '../../trace/frame'
 import type { TapeData } from '../../trace/tape'
-import { type Setup, settingsOf } from '../state/setup'
 import type { Timeline } from '../playback/timeline'
+import { type Setup, settingsOf } from '../state/setup'
 
 /** What the page asks its planning worker. */
 export interface WorkerQuestion {

@@ -1,5 +1,5 @@
-import type { Tempo } from './speeds'
 import { type Shown, type State, THE_END } from '../state/state'
+import type { Tempo } from './speeds'
 import { placeOf, timelineOf, timeOfPlace } from './timeline'
 
 /** If the whole plan is being played, it comes to its end at once. */

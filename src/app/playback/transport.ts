@@ -1,8 +1,8 @@
 import { momentAfter, momentBefore, placeAfter } from '../../trace/landmarks'
-import { isFast, type Speed, speedInWords, tempoOf } from './speeds'
 import { type Said, type Shown, type State, THE_END, visiblePlan } from '../state/state'
-import { stepAt, type Timeline, timelineOf } from './timeline'
 import { prefer, say } from '../state/transitions'
+import { isFast, type Speed, speedInWords, tempoOf } from './speeds'
+import { stepAt, type Timeline, timelineOf } from './timeline'
 
 // Moves of the cursor on the tape of the plan; all are transitions.
 

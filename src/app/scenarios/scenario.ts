@@ -1,8 +1,8 @@
 import type { ParamSettings } from '../../algorithms/params'
 import type { Problem } from '../../grid/problem'
 import { problemFromText } from '../../grid/text-map'
-import { maps } from './scenario-maps'
 import { type Setup, withSettings } from '../state/setup'
+import { maps } from './scenario-maps'
 
 /** A map of the report with the planner and the settings that it shows. */
 export interface Scenario {

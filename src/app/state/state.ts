@@ -4,12 +4,12 @@ import type { Rect, ScreenSize, View } from '../../render/view'
 import type { Frame } from '../../trace/frame'
 import type { Tape } from '../../trace/tape'
 import { type Comparison, noComparison } from '../compare/state'
+import type { Tempo } from '../playback/speeds'
+import type { Place } from '../playback/timeline'
 import { emptyHistory, type History } from './history'
 import type { WithMessages } from './messages'
 import type { Preferences } from './preferences'
 import type { Setup } from './setup'
-import type { Tempo } from '../playback/speeds'
-import type { Place } from '../playback/timeline'
 
 /** A plan as it came from the worker, with the setup that it answers. */
 export interface Shown {

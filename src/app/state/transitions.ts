@@ -1,13 +1,13 @@
 import { messageOf } from '../../grid/errors'
 import { type Cell, emptyGrid } from '../../grid/grid'
 import { fitView, keepOnScreen, type Rect, type ScreenSize, type View } from '../../render/view'
-import { cursorOn, endWelcome } from '../playback/arrival'
-import * as history from './history'
 import { roomForMap } from '../layout/room'
+import { cursorOn, endWelcome } from '../playback/arrival'
+import type { Tempo } from '../playback/speeds'
+import * as history from './history'
 import { tell } from './messages'
 import type { Preferences } from './preferences'
 import { isSameSetup, type Setup, withGrid } from './setup'
-import type { Tempo } from '../playback/speeds'
 import { type Shown, type State, THE_END } from './state'
 
 // Transitions are pure: each makes the next state from the last one.

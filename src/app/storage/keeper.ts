@@ -1,7 +1,7 @@
 import { tell } from '../state/messages'
 import type { State } from '../state/state'
-import { type Shelf, savePreferences, saveSetup } from './storage'
 import type { Store } from '../state/store'
+import { type Shelf, savePreferences, saveSetup } from './storage'
 
 const QUIET_MS = 400
 

@@ -1,10 +1,10 @@
 import { messageOf } from '../../grid/errors'
-import { setupInLink } from './link'
 import { tell } from '../state/messages'
 import type { Setup } from '../state/setup'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
 import { changeMap } from '../state/transitions'
+import { setupInLink } from './link'
 
 /** Opens the setup that an address names; undo leads back to what was drawn before. */
 export function openLink(state: State, hash: string): State {

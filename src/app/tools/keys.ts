@@ -1,7 +1,6 @@
 import { type Direction, DX, DY } from '../../grid/directions'
 import { type Cell, cellName, type Grid, isInside, pointOf } from '../../grid/grid'
 import { cellRect, panBy, type Rect, type ScreenSize, type View, zoomAt } from '../../render/view'
-import { cellInWords } from '../words/cell-line'
 import { roomForMap } from '../layout/room'
 import { tell } from '../state/messages'
 import { withGrid, withMark } from '../state/setup'
@@ -17,6 +16,7 @@ import {
   sayOfCell,
   undo,
 } from '../state/transitions'
+import { cellInWords } from '../words/cell-line'
 import { gripAt, paint } from './stroke'
 
 /** A key with its modifiers, as far as they matter. `command` is Ctrl, on a Mac ⌘ as well. */

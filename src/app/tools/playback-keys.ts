@@ -1,4 +1,3 @@
-import type { Transition } from '../state/state'
 import {
   stepBack,
   stepForward,
@@ -8,6 +7,7 @@ import {
   toLast,
   toNextLandmark,
 } from '../playback/transport'
+import type { Transition } from '../state/state'
 import type { KeyPress } from './keys'
 
 /**

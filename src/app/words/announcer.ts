@@ -1,6 +1,6 @@
-import { cellFactsInWords } from './cell-line'
 import type { Moment } from '../playback/moment'
 import { isSettled, type Said, type State } from '../state/state'
+import { cellFactsInWords } from './cell-line'
 import { stepInWords } from './steps-in-words'
 import { outcomeInWords } from './words'
 

@@ -1,8 +1,8 @@
 import { cellName } from '../../grid/grid'
 import type { Moment } from '../playback/moment'
+import { plannerOf } from '../state/setup'
 import { countInWords, numberInWords } from './numbers'
 import { capitalised } from './sentences'
-import { plannerOf } from '../state/setup'
 import type { Row } from './words'
 
 const YET_UNKNOWN = '–'

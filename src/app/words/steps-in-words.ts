@@ -1,9 +1,9 @@
 import { explain } from '../../trace/explain'
 import { placeAfter } from '../../trace/landmarks'
 import { isAtEnd, type Moment } from '../playback/moment'
-import { asSentence } from './sentences'
-import { plannerOf } from '../state/setup'
 import { stepAt, timelineOf } from '../playback/timeline'
+import { plannerOf } from '../state/setup'
+import { asSentence } from './sentences'
 
 /** Why the planner does what it does at this moment; at the end with the reason of the outcome. */
 export function stepInWords(moment: Moment): string {

@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, it } from 'vitest'
 import { PATIENCE_MS, type PlanningWorker, Solver } from '../../../src/app/planning/solver'
-import { timelineOf } from '../../../src/app/playback/timeline'
 import type { WorkerAnswer, WorkerQuestion } from '../../../src/app/planning/worker-protocol'
+import { timelineOf } from '../../../src/app/playback/timeline'
 import { planned, setupFrom } from '../setups'
 
 class FakeWorker implements PlanningWorker {

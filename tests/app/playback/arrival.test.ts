@@ -1,9 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { cursorOn, endWelcome } from '../../../src/app/playback/arrival'
 import { WELCOME } from '../../../src/app/playback/speeds'
-import { type State, THE_END } from '../../../src/app/state/state'
 import { placeOf, timelineOf } from '../../../src/app/playback/timeline'
-import { change, changeMap, edit, planArrived, planStarted } from '../../../src/app/state/transitions'
 import {
   played,
   stepBack,
@@ -14,6 +12,14 @@ import {
   toNextLandmark,
   toStep,
 } from '../../../src/app/playback/transport'
+import { type State, THE_END } from '../../../src/app/state/state'
+import {
+  change,
+  changeMap,
+  edit,
+  planArrived,
+  planStarted,
+} from '../../../src/app/state/transitions'
 import { HOOK, LONGER_HOOK, planned, setupFrom, shownState } from '../setups'
 
 const begin = shownState(HOOK)

@@ -1,9 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { Moments } from '../../../src/app/playback/moment'
 import { tempoOf } from '../../../src/app/playback/speeds'
-import { type State, THE_END } from '../../../src/app/state/state'
 import { stepAt, timelineOf } from '../../../src/app/playback/timeline'
-import { hidePath } from '../../../src/app/state/transitions'
 import {
   chooseSpeed,
   played,
@@ -16,6 +14,8 @@ import {
   toNextLandmark,
   toStep,
 } from '../../../src/app/playback/transport'
+import { type State, THE_END } from '../../../src/app/state/state'
+import { hidePath } from '../../../src/app/state/transitions'
 import { frameAt } from '../../../src/trace/fold'
 import { HOOK, shownState } from '../setups'
 

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest'
 import { withScenario } from '../../../src/app/scenarios/scenario'
 import { scenarios } from '../../../src/app/scenarios/scenarios'
-import { settingsOf, valuesOf, withParam, withSettings } from '../../../src/app/state/setup'
 import { beginWith, firstSetup } from '../../../src/app/start'
+import { settingsOf, valuesOf, withParam, withSettings } from '../../../src/app/state/setup'
 import { planned, setupFrom } from '../setups'
 
 describe('settings', () => {

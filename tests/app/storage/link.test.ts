@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest'
+import type { Setup } from '../../../src/app/state/setup'
+import { undo } from '../../../src/app/state/transitions'
 import { linkTo, setupInLink } from '../../../src/app/storage/link'
 import { openLink } from '../../../src/app/storage/open-link'
-import type { Setup } from '../../../src/app/state/setup'
 import { setupToText } from '../../../src/app/storage/storage'
-import { undo } from '../../../src/app/state/transitions'
 import { generators } from '../../../src/grid/generators'
 import { setupFrom, stateFrom } from '../setups'
 

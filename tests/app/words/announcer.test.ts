@@ -1,11 +1,15 @@
 import { describe, expect, it } from 'vitest'
-import { announcement } from '../../../src/app/words/announcer'
-import { mapAttributes } from '../../../src/app/words/map-attributes'
 import { Moments } from '../../../src/app/playback/moment'
+import { timelineOf } from '../../../src/app/playback/timeline'
+import {
+  played,
+  stepForward,
+  togglePlay,
+  toNextLandmark,
+  toStep,
+} from '../../../src/app/playback/transport'
 import { withMark } from '../../../src/app/state/setup'
 import type { State } from '../../../src/app/state/state'
-import { timelineOf } from '../../../src/app/playback/timeline'
-import { mapKey } from '../../../src/app/tools/keys'
 import {
   change,
   hidePath,
@@ -15,7 +19,9 @@ import {
   planStarted,
   say,
 } from '../../../src/app/state/transitions'
-import { played, stepForward, togglePlay, toNextLandmark, toStep } from '../../../src/app/playback/transport'
+import { mapKey } from '../../../src/app/tools/keys'
+import { announcement } from '../../../src/app/words/announcer'
+import { mapAttributes } from '../../../src/app/words/map-attributes'
 import { planned, setupFrom, stateFrom } from '../setups'
 
 const begin = stateFrom('S...\n....\n...G')
