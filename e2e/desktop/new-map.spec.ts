@@ -14,6 +14,8 @@ test.beforeEach(async ({ page }) => {
   await choosePlanner(page, 'Grid decomposition')
   await openMap(page, ROWS)
   await chooseFromMapMenu(page, 'New…')
+  // It is loaded only now.
+  await expect(dialogOf(page)).toBeVisible()
 })
 
 test('an empty map of any size', async ({ map, page }) => {
