@@ -43,10 +43,8 @@ export const probabilisticRoadmap = offlinePlanner({
     'Report, IV.C; L. E. Kavraki et al., "Probabilistic roadmaps for path planning in high-dimensional configuration spaces", 1996',
 
   plan(problem, { params, random, tape, progress }) {
-    const vertices = Int32Array.from([
-      ...new Set([problem.start, problem.goal]),
-      ...sampleFreeCells(problem, params.samples, random),
-    ])
+    const { samples, areAll } = sampleFreeCells(problem, params.samples, random)
+    const vertices = Int32Array.from([...new Set([problem.start, problem.goal]), ...samples])
     const isVertex = new Uint8Array(problem.grid.walls.length)
     tape?.at(line.vertices).write(EVENT.phase, -1, 0)
     for (const cell of vertices) {
@@ -55,7 +53,7 @@ export const probabilisticRoadmap = offlinePlanner({
     }
     const failure = {
       status: 'not-found',
-      reason: isVertex.every((vertex, cell) => vertex === 1 || problem.grid.walls[cell] === 1)
+      reason: areAll
         ? 'not even all free cells as samples join start and goal'
         : 'these samples do not join start and goal; more samples or another seed may',
     } as const
@@ -66,7 +64,11 @@ export const probabilisticRoadmap = offlinePlanner({
 })
 
 /** Distinct free cells apart from start and goal; all of them if there are no more than `count`. */
-function sampleFreeCells(problem: Problem, count: number, random: () => number): Int32Array {
+function sampleFreeCells(
+  problem: Problem,
+  count: number,
+  random: () => number,
+): { samples: Int32Array; areAll: boolean } {
   const { grid, start, goal } = problem
   const isCandidate = (cell: Cell) => !grid.walls[cell] && cell !== start && cell !== goal
   let free = 0
@@ -79,5 +81,5 @@ function sampleFreeCells(problem: Problem, count: number, random: () => number):
     cells[j] = cells[i]
     cells[i] = cell
   }
-  return cells.subarray(0, drawn)
+  return { samples: cells.subarray(0, drawn), areAll: drawn === free }
 }
