@@ -1,3 +1,4 @@
+import type { Page } from '@playwright/test'
 import { openResults } from '../../src/experiments/open-results'
 import { resultsToLines } from '../../src/experiments/results-json'
 import type { Row } from '../../src/experiments/row'
@@ -8,6 +9,17 @@ import { ExperimentsPage, SMALL } from '../experiments'
 import { expect, test } from '../fixtures'
 
 const timeless = (rows: readonly Row[]) => rows.map(({ milliseconds: _, ...row }) => row)
+
+const MANY = { ...SMALL, mapsPerCombination: 3000 }
+
+/** The page of experiments while it runs so many maps that there is time to look at it. */
+async function longRun(page: Page): Promise<ExperimentsPage> {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  await experiments.openFile('many.json', JSON.stringify(MANY))
+  await page.getByRole('button', { name: 'Run', exact: true }).click()
+  return experiments
+}
 
 test('the same settings give the same rows in the browser and in Node', async ({ page }) => {
   const experiments = new ExperimentsPage(page)
@@ -25,11 +37,7 @@ test('the same settings give the same rows in the browser and in Node', async ({
 test('a run that is cancelled keeps its first maps, and they can be looked at', async ({
   page,
 }) => {
-  const experiments = new ExperimentsPage(page)
-  await experiments.open()
-  const many = { ...SMALL, mapsPerCombination: 3000 }
-  await experiments.openFile('many.json', JSON.stringify(many))
-  await page.getByRole('button', { name: 'Run', exact: true }).click()
+  const experiments = await longRun(page)
   const bar = page.getByRole('progressbar', { name: 'Maps done' })
   await expect(bar).toBeVisible()
   await expect(page.getByText(/^[1-9][\d,]* of 21,000 maps, .* left$/)).toBeVisible()
@@ -39,21 +47,17 @@ test('a run that is cancelled keeps its first maps, and they can be looked at', 
   await expect(bar).toBeHidden()
   await experiments.chartsDrawn()
   const { rows } = openResults(await experiments.downloaded('Rows as JSON'))
-  const done = rows.length / countWork(many).settings
+  const done = rows.length / countWork(MANY).settings
   expect(Number.isInteger(done)).toBe(true)
   expect(timeless(rows.slice(0, 20))).toEqual(
-    timeless([0, 1, 2].flatMap((map) => runMap(many, map))).slice(0, 20),
+    timeless([0, 1, 2].flatMap((map) => runMap(MANY, map))).slice(0, 20),
   )
 })
 
 test('a run goes on while the results of a shard are looked at, and can be cancelled', async ({
   page,
 }) => {
-  const experiments = new ExperimentsPage(page)
-  await experiments.open()
-  const many = { ...SMALL, mapsPerCombination: 3000 }
-  await experiments.openFile('many.json', JSON.stringify(many))
-  await page.getByRole('button', { name: 'Run', exact: true }).click()
+  const experiments = await longRun(page)
   const shard = { index: 2, of: 3 }
   const rows = Array.from({ length: 14 }, (_, i) => runMap(SMALL, 14 + i)).flat()
   await experiments.openFile('shard.jsonl', resultsToLines({ settings: SMALL, shard, rows }))
