@@ -1,5 +1,6 @@
 import { type Direction, DX, DY, directionOf, isDiagonal } from '../grid/directions'
 import { isSamePlace, type Point, placeName } from '../grid/grid'
+import { plural } from '../grid/plural'
 import type { Directions } from '../grid/steps'
 import type { DriveNotes } from '../rover/drive-notes'
 import type { Rover } from '../rover/rover'
@@ -126,4 +127,4 @@ export function boxedIn(status: 'unreachable' | 'dead-end', place: Point): Drive
 }
 
 /** When a state was there before. Not "at step 2": whoever plays a plan counts other steps, too. */
-export const afterSteps = (steps: number): string => `after ${steps} step${steps === 1 ? '' : 's'}`
+export const afterSteps = (steps: number): string => `after ${steps} ${plural(steps, 'step')}`

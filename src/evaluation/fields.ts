@@ -3,6 +3,7 @@ import { type FieldMap, fieldMaps } from '../experiments/summary/fields'
 import { groupByNumber } from '../experiments/summary/groups'
 import { distributionOf } from '../experiments/summary/ratios'
 import { successOf } from '../experiments/summary/success'
+import { plural } from '../grid/plural'
 import { type Evidence, pairs, REPORT, type Section, select } from './evidence'
 import { type HeatMap, heatMaps } from './heat-map'
 import type { Figure } from './svg'
@@ -92,7 +93,7 @@ function fieldFigure(maps: readonly FieldMap[]): Figure {
     (map): HeatMap => ({
       title: titleOf(map),
       columns: map.repulsiveValues.map(count),
-      rows: map.influences.map((influence) => `${influence} cell${influence === 1 ? '' : 's'}`),
+      rows: map.influences.map((influence) => `${influence} ${plural(influence, 'cell')}`),
       shares: map.cells.map((line) => line.map((success) => success?.rate ?? 0)),
     }),
   )

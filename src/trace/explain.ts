@@ -1,4 +1,5 @@
 import { type Cell, cellName } from '../grid/grid'
+import { plural } from '../grid/plural'
 import { costLeft } from './cost-left'
 import { EVENT, STATUSES, type Status } from './events'
 import type { Frame } from './frame'
@@ -150,7 +151,7 @@ function given(names: readonly string[]): string {
   return ` It gives ${others && `${others} and `}${names.at(-1)} a shorter way.`
 }
 
-const count = (n: number, what: string): string => `${n} ${what}${n === 1 ? '' : 's'}`
+const count = (n: number, what: string): string => `${n} ${plural(n, what)}`
 
 /** At most three decimals, none for whole numbers. */
 function number(value: number): string {

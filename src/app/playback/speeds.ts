@@ -1,3 +1,5 @@
+import { plural } from '../../grid/plural'
+
 /** Steps a second, or the whole tape in a moment. */
 export const SPEEDS = [1, 2, 5, 10, 30, 100, 'moment'] as const
 export type Speed = (typeof SPEEDS)[number]
@@ -42,4 +44,4 @@ export const isFast = (tempo: Tempo | null): boolean =>
   tempo !== null && (tempo.kind === 'whole' || tempo.perSecond > READABLE)
 
 export const speedInWords = (speed: Speed): string =>
-  speed === 'moment' ? 'Whole in a moment' : `${speed} step${speed === 1 ? '' : 's'}/s`
+  speed === 'moment' ? 'Whole in a moment' : `${speed} ${plural(speed, 'step')}/s`

@@ -1,3 +1,5 @@
+import { plural } from '../../grid/plural'
+
 /**
  * A number short enough for a narrow column: whole numbers whole, others with two decimals. The
  * first call of `toLocaleString` costs a slow machine a tenth of a second.
@@ -16,4 +18,4 @@ const inThousands = (digits: string): string => digits.replace(/\B(?=(\d{3})+(\.
 
 /** "1 step", "2 steps". */
 export const countInWords = (count: number, what: string): string =>
-  `${numberInWords(count)} ${what}${count === 1 ? '' : 's'}`
+  `${numberInWords(count)} ${plural(count, what)}`
