@@ -44,6 +44,7 @@ test('Grid decomposition: the graph row by row, the search, the path', async ({ 
   await press(page, 'Home')
   await expect(phase).toHaveText('–')
   await press(page, 'Shift+ArrowRight')
+  await expect(phase).not.toHaveText('–')
   const first = await phase.innerText()
   await press(page, 'ArrowRight')
   await expectReason(page, 'Row 0: 21 free cells of the graph.')
