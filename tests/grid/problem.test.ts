@@ -63,6 +63,21 @@ describe('what is wrong is named', () => {
   })
 })
 
+test('a map that was sound before is read again', () => {
+  const problem: Problem = {
+    grid: { width: 3, height: 2, walls: Uint8Array.of(0, 0, 1, 0, 0, 0) },
+    start: 0,
+    goal: 5,
+    diagonal: RULE,
+  }
+  for (const planner of ['bug2', 'decomposition']) {
+    expect(plan(problem, planner).status).toBe('reached')
+    problem.grid.walls[2] = 255
+    expect(() => plan(problem, planner)).toThrow('The cell (2, 0) is 255')
+    problem.grid.walls[2] = 1
+  }
+})
+
 test.each([
   undefined,
   null,
