@@ -1,7 +1,7 @@
 import { InputError } from '../grid/errors'
 import type { Cell } from '../grid/grid'
 import type { EventKind } from './events'
-import { CHUNK, CHUNK_BITS, EVENT_BYTES, EVENT_WORDS, PLACE } from './tape-layout'
+import { CHUNK, CHUNK_BITS, EVENT_BYTES, EVENT_WORDS, FIRST_ROOM, PLACE } from './tape-layout'
 import { LEFT_OUT, type Thinning } from './thinning'
 
 /**
@@ -9,6 +9,10 @@ import { LEFT_OUT, type Thinning } from './thinning'
  * event on; if that is not enough, all that comes later.
  */
 const MOST_EVENTS = 10_000_000
+
+// Of a tape that has no chunk yet.
+const NO_WORDS = new Int32Array(0)
+const NO_VALUES = new Float64Array(0)
 
 /** What a tape is made of: all that there is to be sent to another thread. */
 export interface TapeData {
@@ -37,8 +41,8 @@ export class Tape {
   #chunkValues: Float64Array<ArrayBuffer>[] = []
   /** The chunk that is written on, and how many events it has. */
   #chunk = 0
-  #words = new Int32Array(0)
-  #values = new Float64Array(0)
+  #words = NO_WORDS
+  #values = NO_VALUES
   #used = 0
   /** While the chunk has fewer events than this, writing needs no thought. */
   #easy = 0
@@ -185,8 +189,8 @@ export class Tape {
     const chunk = length >> CHUNK_BITS
     this.#chunk = chunk
     this.#used = length & PLACE
-    this.#words = this.#chunks[chunk] ?? new Int32Array(0)
-    this.#values = this.#chunkValues[chunk] ?? new Float64Array(0)
+    this.#words = this.#chunks[chunk] ?? NO_WORDS
+    this.#values = this.#chunkValues[chunk] ?? NO_VALUES
     const room = Math.min(this.#words.length / EVENT_WORDS, this.#most - chunk * CHUNK)
     this.#easy = this.thinning === 'whole' ? room : 0
   }
@@ -197,7 +201,8 @@ export class Tape {
     const chunk = length >> CHUNK_BITS
     const before = this.#chunks[chunk]
     if (before === undefined || before.length < CHUNK * EVENT_WORDS) {
-      const buffer = new ArrayBuffer(CHUNK * EVENT_BYTES)
+      const room = length === 0 ? FIRST_ROOM : CHUNK
+      const buffer = new ArrayBuffer(room * EVENT_BYTES)
       this.#chunks[chunk] = new Int32Array(buffer)
       this.#chunkValues[chunk] = new Float64Array(buffer)
       if (before) this.#chunks[chunk].set(before)
