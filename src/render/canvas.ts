@@ -1,9 +1,10 @@
 /**
  * What draws on a canvas.
+ * @param isOpaque whether nothing behind it is ever to be seen: the browser has less to do then
  * @throws Error if the browser does not draw on canvases
  */
-export function contextOf(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
-  const context = canvas.getContext('2d')
+export function contextOf(canvas: HTMLCanvasElement, isOpaque = false): CanvasRenderingContext2D {
+  const context = canvas.getContext('2d', { alpha: !isOpaque })
   if (!context) throw new Error('This browser cannot draw on a canvas.')
   return context
 }

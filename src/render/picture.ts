@@ -40,7 +40,7 @@ export class Picture {
   readonly #lines = new SlicedIndex((columns, rows) => new EdgeCover(columns, rows))
 
   constructor(host: HTMLElement) {
-    this.#ground = new Sheet(host, 'ground')
+    this.#ground = new Sheet(host, 'ground', true)
     this.#roadmap = new Sheet(host, 'roadmap')
     this.#plan = new Sheet(host, 'plan')
     this.#comparison = new Sheet(host, 'comparison')

@@ -4,11 +4,14 @@ import { edgeX, edgeY, type Placement } from './placement'
 /** One of the canvases on top of each other. It remembers what it was drawn from. */
 export class Sheet {
   readonly #canvas: HTMLCanvasElement
+  readonly #isOpaque: boolean
   #context: CanvasRenderingContext2D | null = null
   #drawnFrom: readonly unknown[] = []
   #isBlank = true
 
-  constructor(host: HTMLElement, name: string) {
+  /** @param isOpaque whether all of it is always filled, so that what is behind it is not seen */
+  constructor(host: HTMLElement, name: string, isOpaque = false) {
+    this.#isOpaque = isOpaque
     this.#canvas = document.createElement('canvas')
     this.#canvas.dataset.layer = name
     this.#canvas.setAttribute('aria-hidden', 'true')
@@ -18,7 +21,7 @@ export class Sheet {
 
   /** Made when it is drawn on first: most sheets of a plan stay blank. */
   get context(): CanvasRenderingContext2D {
-    this.#context ??= contextOf(this.#canvas)
+    this.#context ??= contextOf(this.#canvas, this.#isOpaque)
     return this.#context
   }
 
