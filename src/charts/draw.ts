@@ -15,7 +15,7 @@ export interface Drawing {
   readonly document?: Document
 }
 
-const FONTS = 'system-ui, -apple-system, "Segoe UI", Roboto, sans-serif'
+const FONTS = 'system-ui, sans-serif'
 
 /** The chart as a picture. Each mark in it is a button with its number as `data-mark`. */
 export function drawChart(chart: Chart, drawing: Drawing): SVGSVGElement {

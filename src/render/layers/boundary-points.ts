@@ -64,7 +64,7 @@ function drawNumber(
 ): void {
   if (!cellsAreAtLeast(place, NUMBERS_FROM)) return
   const size = inProportion(place, 0.34, 7, 16)
-  pen.font = `bold ${size}px Roboto, system-ui, sans-serif`
+  pen.font = `bold ${size}px system-ui, sans-serif`
   pen.textAlign = 'center'
   pen.textBaseline = 'middle'
   pen.fillStyle = colour

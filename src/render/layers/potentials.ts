@@ -18,7 +18,7 @@ export function drawPotentials(
 ): void {
   if (!cellsAreAtLeast(place, NUMBERS_FROM)) return
   const inks = heatInks(theme)
-  pen.font = `${inProportion(place, 0.32, 8, 15)}px Roboto, system-ui, sans-serif`
+  pen.font = `${inProportion(place, 0.32, 8, 15)}px system-ui, sans-serif`
   pen.textAlign = 'center'
   pen.textBaseline = 'middle'
   for (let y = place.fromY; y < place.toY; y++) {
