@@ -66,6 +66,26 @@ test('a run goes on while the results of a shard are looked at, and can be cance
   await expect(page.getByText(/^The first [\d,]+ of 21,000 maps, .* runs, seed 3\.$/)).toBeVisible()
 })
 
+test('a run is not lost by leaving the page without a question', async ({ page }) => {
+  await longRun(page)
+  const bar = page.getByRole('progressbar', { name: 'Maps done' })
+  await expect(bar).toBeVisible()
+  const asked: string[] = []
+  page.on('dialog', (dialog) => {
+    asked.push(dialog.type())
+    return dialog.dismiss()
+  })
+  const leave = page.getByRole('link', { name: 'Playground' })
+  await leave.click()
+  await expect.poll(() => asked).toEqual(['beforeunload'])
+  await expect(bar).toBeVisible()
+  await page.getByRole('button', { name: 'Cancel' }).click()
+  await expect(bar).toBeHidden()
+  await leave.click()
+  await expect(page.locator('#map')).toBeVisible()
+  expect(asked).toHaveLength(1)
+})
+
 test('a mark opens the runs that failed, and a run the playground where it failed', async ({
   page,
 }) => {

@@ -15,6 +15,9 @@ export interface Running {
   cancel(): void
 }
 
+/** Has the browser ask before the page is left. */
+const askFirst = (event: BeforeUnloadEvent) => event.preventDefault()
+
 /** Joins the pool of workers to the state. */
 export function runningFor(store: Store<PageState>): Running {
   let running: { readonly settings: ExperimentSettings; readonly pool: WorkerPool } | null = null
@@ -24,6 +27,7 @@ export function runningFor(store: Store<PageState>): Running {
     const { settings, pool } = running
     running = null
     pool.stop()
+    window.removeEventListener('beforeunload', askFirst)
     store.update((state) => runEnded(state, { settings, shard: WHOLE, rows: pool.rows }))
   }
   const run = (settings: ExperimentSettings) => {
@@ -42,6 +46,7 @@ export function runningFor(store: Store<PageState>): Running {
       },
     })
     running = { settings, pool }
+    window.addEventListener('beforeunload', askFirst)
   }
   return {
     start() {
