@@ -3,6 +3,7 @@ import { faultOf, type ParamSettings } from '../../algorithms/params'
 import { planners } from '../../algorithms/planners'
 import { fromBase64, toBase64 } from '../../grid/formats/base64'
 import { packWalls, unpackWalls } from '../../grid/formats/packed'
+import { readShape } from '../../grid/formats/shape'
 import { MAX_SIDE, MIN_SIDE } from '../../grid/grid'
 import { checkProblem, type Problem } from '../../grid/problem'
 import { DIAGONAL_RULES } from '../../grid/steps'
@@ -42,6 +43,20 @@ const setupSchema = v.object({
   seed: v.pipe(v.number(), v.safeInteger()),
 })
 
+const A_SIDE = `a whole number from ${MIN_SIDE} to ${MAX_SIDE}`
+const words = {
+  version: '1',
+  width: A_SIDE,
+  height: A_SIDE,
+  walls: 'a text',
+  start: 'the number of a cell',
+  goal: 'the number of a cell',
+  diagonal: DIAGONAL_RULES.join(' or '),
+  plannerId: `one of ${planners.map((planner) => planner.id).join(', ')}`,
+  params: 'values of parameters, by planner',
+  seed: 'a whole number',
+}
+
 export function setupToText(setup: Setup): string {
   const { grid, ...ends } = setup.problem
   const { plannerId, params, seed } = setup
@@ -52,10 +67,12 @@ export function setupToText(setup: Setup): string {
 
 /**
  * @param readParams what to make of parameters that no planner declares, or whose values do not fit
- * @throws Error if the text is not what `setupToText` writes, or holds no map to plan on.
+ * @throws Error if the text holds no map to plan on; an InputError says what is wrong with it.
  */
 export function setupFromText(text: string, readParams: ReadParams = knownParams): Setup {
-  const read = v.parse(setupSchema, JSON.parse(text))
+  const value: unknown = JSON.parse(text)
+  if (typeof value !== 'object' || value === null) throw new SyntaxError('There is no object.')
+  const read = readShape(setupSchema, words, value)
   const { width, height, start, goal, diagonal, plannerId, params, seed } = read
   const walls = unpackWalls(fromBase64(read.walls), width * height)
   const problem = { grid: { width, height, walls }, start, goal, diagonal }
