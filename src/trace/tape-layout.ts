@@ -5,7 +5,7 @@
 export const CHUNK_BITS = 11
 export const CHUNK = 1 << CHUNK_BITS
 /** But the first one has room for so many at first: tapes of small maps are short, and many. */
-export const FIRST_ROOM = 1 << 9
+export const FIRST_ROOM = 1 << 10
 /** The place of an event in its chunk. */
 export const PLACE = CHUNK - 1
 
