@@ -29,8 +29,8 @@ test('another way there: it stays after the same landmark, and comes back with u
   await press(page, 'Home')
   await press(page, 'Shift+ArrowRight', 2)
   await press(page, 'ArrowRight')
-  const before = await stepNumber(page, 'Position').innerText()
   await expectStep(page, 20, 31)
+  const before = await stepNumber(page, 'Position').innerText()
 
   // The start three rows further away: the rover has three steps more to go.
   await map.drag([
