@@ -12,7 +12,7 @@ export interface Way {
   readonly length: number
 }
 
-export function wayOver({ position, goal }: Rover, place: Point): Way {
+export function wayOver({ position, goal }: Pick<Rover, 'position' | 'goal'>, place: Point): Way {
   return {
     place,
     steps: distance(position, place) + distance(place, goal),
@@ -20,9 +20,13 @@ export function wayOver({ position, goal }: Rover, place: Point): Way {
   }
 }
 
+/** Lengths are sums of two roots: what they differ by in less than this is rounding. */
+const ROUNDING = 1e-9
+
 /** The shorter of two ways; the first of equal ones. */
 export function shorter(a: Way, b: Way): Way {
-  return b.steps < a.steps || (b.steps === a.steps && b.length < a.length) ? b : a
+  if (a.steps !== b.steps) return b.steps < a.steps ? b : a
+  return b.length < a.length - ROUNDING ? b : a
 }
 
 /** How many steps of the simplest path to a place are legal by what was sensed, `most` at most. */

@@ -37,8 +37,9 @@ export function cellDistance(a: Cell, b: Cell, width: number, share: number): nu
   return Math.max(Math.abs(rows), Math.abs(b - a - rows * width))
 }
 
+/** Not by `Math.hypot`, which every engine may round in its own way; a root is the same everywhere. */
 export function euclideanDistance(a: Point, b: Point): number {
-  return Math.hypot(a.x - b.x, a.y - b.y)
+  return Math.sqrt((a.x - b.x) ** 2 + (a.y - b.y) ** 2)
 }
 
 /** The square of a Euclidean distance on a map is less: 2 · 2047² < 2²⁴. */

@@ -79,6 +79,12 @@ test('farness is exact from corner to corner of the largest map', () => {
   expect(farness({ x: 2047, y: 0 }, to)).toBeGreaterThan(farness({ x: 2046, y: 2046 }, to))
 })
 
-test('Euclidean distance', () => {
+test('Euclidean distance is the nearest number to the root, as on every machine', () => {
+  const zero = { x: 0, y: 0 }
   expect(euclideanDistance({ x: 1, y: 2 }, { x: 4, y: -2 })).toBe(5)
+  for (let x = 0; x < 60; x++) {
+    for (let y = 0; y < 60; y++) {
+      expect(euclideanDistance({ x, y }, zero)).toBe(Math.sqrt(x * x + y * y))
+    }
+  }
 })
