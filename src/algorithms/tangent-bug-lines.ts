@@ -5,7 +5,7 @@ export const { text, line } = pseudocode({
   start: 'sense the square around the start',
   report: 'variant report (Algorithms 3 and 4):',
   follow: '  follow the simplest path to the goal until it is blocked within range',
-  loop: '  if the rover was blocked at this place before: it goes round for ever',
+  loop: '  if the rover was blocked at this place before and has sensed nothing new since: it goes round for ever',
   end: '  end ← of the ends of the sensed obstacle in reach, the one with the least distance rover → end → goal',
   approach: '  go straight to that end',
   turn: '  turn to the side whose first step is nearer to the goal',

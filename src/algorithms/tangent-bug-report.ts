@@ -28,7 +28,8 @@ export function driveAsInReport(rover: Rover, notes: DriveNotes): DriveAnswer {
     }
     const here = placeName(rover.position)
     const before = stepsWhenBlocked.get(here)
-    if (before !== undefined) {
+    // What was sensed long ago tells where obstacles end, so with news the rover may head elsewhere.
+    if (before !== undefined && rover.stepsAtNews <= before) {
       notes.at(line.loop).loop(before)
       const reason = `blocked at ${here} again, in the same state as ${afterSteps(before)}`
       return { status: 'loop', reason }
@@ -80,9 +81,10 @@ function obstacleWithinRange(rover: Rover): Point | undefined {
   if (free === Math.min(range, distance(rover.position, goal))) return undefined
   let place = rover.position
   for (let i = 0; i < free; i++) place = stepped(place, simplestStep(place, goal))
-  const obstacle = obstacleInTheWay(rover.obstaclesAround(place), simplestStep(place, goal))
-  // Nothing but cells out of sight: that is no obstacle yet.
-  return obstacle < 0 ? undefined : stepped(place, obstacle)
+  const ahead = simplestStep(place, goal)
+  // Maybe it is only not known to be legal, because of cells out of sight: that is no obstacle yet.
+  if (!isIn(rover.refusedSteps(place), ahead)) return undefined
+  return stepped(place, obstacleInTheWay(rover.obstaclesAround(place), ahead))
 }
 
 /**

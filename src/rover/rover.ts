@@ -22,6 +22,8 @@ export interface Rover {
   readonly range: number
   /** How many steps it has made. */
   readonly steps: number
+  /** How many it had made when it last sensed something new; since then it knows the same. */
+  readonly stepsAtNews: number
   /** Senses the square around the rover; without it a new place tells nothing. */
   sense(): void
   /** What has been sensed so far at a place. */
@@ -30,6 +32,8 @@ export interface Rover {
   obstaclesAround(place?: Point): Directions
   /** The steps from a place that are legal by what was sensed; what is unknown counts as obstacle. */
   legalSteps(place?: Point): Directions
+  /** The steps from a place that sensed obstacles refuse; what is unknown refuses none. */
+  refusedSteps(place: Point): Directions
   /** Moves one cell; an illegal step is refused: false, and the rover stays. */
   step(direction: Direction): boolean
 }

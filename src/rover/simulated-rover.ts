@@ -19,6 +19,7 @@ export class SimulatedRover implements Rover {
   readonly range: number
   /** How many cells of the map it has sensed. */
   sensed = 0
+  stepsAtNews = 0
   readonly #grid: Grid
   readonly #diagonal: DiagonalRule
   readonly #lineOfSight: boolean
@@ -99,6 +100,10 @@ export class SimulatedRover implements Rover {
     return place < 0 ? 0 : legalSteps(this.#diagonal, ~this.#free[place] & 255)
   }
 
+  refusedSteps(place: Point): Directions {
+    return ~legalSteps(this.#diagonal, this.obstaclesAround(place)) & 255
+  }
+
   step(direction: Direction): boolean {
     if (((this.legalSteps() >> direction) & 1) === 0) return false
     const from = this.#position
@@ -127,6 +132,7 @@ export class SimulatedRover implements Rover {
     if (this.#known[place] !== KNOWN.unknown) return
     if (this.#lineOfSight && !isInSight(this.#grid, this.#position, { x, y })) return
     const obstacle = isObstacle(this.#grid, x, y)
+    this.stepsAtNews = this.steps
     this.#known[place] = obstacle ? KNOWN.obstacle : KNOWN.free
     const neighbours = obstacle ? this.#obstacles : this.#free
     for (let d = 0; d < 8; d++) neighbours[place + this.#offsets[d]] |= 1 << opposite(d)

@@ -8,6 +8,6 @@ test('tangent-bug classic is complete by what is in sight', { timeout: LONG }, a
   await onEveryMap((world) => classicMustHold(world, true))
 })
 
-test('tangent-bug report ends by what is in sight', { timeout: LONG }, async () => {
+test('tangent-bug report walks as described by what is in sight', { timeout: LONG }, async () => {
   await onEveryMap((world) => reportMustHold(world, true))
 })

@@ -6,6 +6,6 @@ test('tangent-bug classic is complete', { timeout: LONG }, async () => {
   await onEveryMap((world) => classicMustHold(world, false))
 })
 
-test('tangent-bug report proves nothing, but ends', { timeout: LONG }, async () => {
+test('tangent-bug report walks as described and ends', { timeout: LONG }, async () => {
   await onEveryMap((world) => reportMustHold(world, false))
 })

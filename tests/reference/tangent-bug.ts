@@ -1,5 +1,7 @@
 import { boundarySteps, type Turn } from './boundary'
-import { mustBeComplete, mustBeModest, mustNotExceed, run } from './run'
+import { must } from './cases'
+import { mustBeComplete, mustBeModest, mustNotExceed, mustWalkAlike, run } from './run'
+import { tangentBugReport } from './tangent-bug-report'
 import { freeCells, isNearer, steps, type World } from './world'
 
 const RANGES = [1, 2, 3, 5]
@@ -15,10 +17,14 @@ export function classicMustHold(world: World, lineOfSight: boolean): void {
   }
 }
 
-/** The report's variant proves nothing, but ends. */
+/** The report's variant walks as described; it proves nothing, but ends. */
 export function reportMustHold(world: World, lineOfSight: boolean): void {
   for (const range of RANGES) {
     const found = run(world, 'tangent-bug', { variant: 'report', range, lineOfSight })
+    const { name, outcome, path } = found
+    const expected = tangentBugReport(world, range, lineOfSight)
+    mustWalkAlike(name, path, expected.path)
+    must(outcome.status === expected.status, () => `${name}: ${outcome.status}`)
     mustBeModest(world, found)
     mustNotExceed(reportBound(world, range), found)
   }
@@ -38,12 +44,14 @@ function classicBound(world: World, turn: Turn, range: number): number {
 }
 
 /**
- * The bound of `report`. It says `loop` when it is blocked at a place for the second time, so that
- * it is blocked at each free cell at most once. Each time it approaches an end within range, goes
- * once around at most, and follows a simplest path until it is blocked again.
+ * The bound of `report`. It says `loop` when it is blocked at a place for the second time and sensed
+ * nothing new in between. Only a cell where it was not before can show it anything new, so there are
+ * no more stretches without news than free cells, and in each of them it is blocked at each free cell
+ * at most once. Each time it approaches an end within range, goes once around at most, and follows a
+ * simplest path until it is blocked again.
  */
 function reportBound(world: World, range: number): number {
   const most = Math.max(world.width, world.height)
   const around = Math.max(boundarySteps(world, 'left'), boundarySteps(world, 'right'))
-  return most + freeCells(world).length * (range + around + most)
+  return most + freeCells(world).length ** 2 * (range + around + most)
 }
