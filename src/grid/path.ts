@@ -25,6 +25,8 @@ export function firstIllegalStep({ grid, diagonal }: Problem, path: ArrayLike<Ce
     const dy = rowsCrossed(x + to - from, width)
     const dx = to - from - Math.imul(dy, width)
     if (!(dx >= -1 && dx <= 1) || to < 0 || to >= walls.length || to === from) return i
+    // Over the edge of the map, and on at the other side of it two rows away.
+    if ((x + dx) >>> 0 >= width) return i
     const direction = stepDirection(dx, dy)
     const beside = (walls[from + dx] << (4 - 2 * dx)) | (walls[to - dx] << (2 + 2 * dy))
     const obstacles = (walls[to] << direction) | (beside & -(direction & 1))

@@ -1,26 +1,35 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { gridToRows } from '../../src/grid/text-map'
-import { type DiagonalRule, firstIllegalStep, measurePath, problemFromText } from '../../src/index'
+import {
+  type DiagonalRule,
+  firstIllegalStep,
+  measurePath,
+  type Problem,
+  problemFromText,
+} from '../../src/index'
 import { isLegal, type World, type XY } from '../reference/world'
 import { problems } from './arbitraries'
+
+const pointIn =
+  (width: number) =>
+  (cell: number): XY => [cell % width, Math.floor(cell / width)]
+
+function worldOf({ grid, start, goal, diagonal }: Problem): World {
+  const { width, height } = grid
+  const point = pointIn(width)
+  const rows = gridToRows(grid)
+  return { width, height, rows, start: point(start), goal: point(goal), rule: diagonal }
+}
 
 test('a path is legal as far as each of its steps is', () => {
   const wanderings = fc.array(fc.nat(), { maxLength: 12 })
   fc.assert(
     fc.property(problems, wanderings, (problem, rolls) => {
-      const { grid, start, goal, diagonal } = problem
+      const { grid, start } = problem
       const { width, height } = grid
-      const point = (cell: number): XY => [cell % width, Math.floor(cell / width)]
-      const rows = gridToRows(grid)
-      const world: World = {
-        width,
-        height,
-        rows,
-        start: point(start),
-        goal: point(goal),
-        rule: diagonal,
-      }
+      const point = pointIn(width)
+      const world = worldOf(problem)
       const path = [start]
       for (const roll of rolls) {
         const [x, y] = point(path[path.length - 1])
@@ -37,12 +46,31 @@ test('a path is legal as far as each of its steps is', () => {
   )
 })
 
+test('a step to any cell at all is legal only if it leads to a neighbour', () => {
+  fc.assert(
+    fc.property(problems, (problem) => {
+      const { width, height, walls } = problem.grid
+      const world = worldOf(problem)
+      const cells = Array.from({ length: walls.length + 4 }, (_, i) => i - 2)
+      const place = pointIn(width)
+      for (const from of cells.filter((cell) => walls[cell] === 0)) {
+        const legal = cells.filter((to) => firstIllegalStep(problem, [from, to]) < 0)
+        const expected = cells.filter((to) => isLegal(world, place(from), place(to)))
+        expect(legal, `from ${from} on ${width} × ${height}`).toEqual(expected)
+      }
+    }),
+  )
+})
+
 describe('firstIllegalStep', () => {
   const at = (rule: DiagonalRule) => problemFromText('S.#.\n.#.G\n', rule)
 
   test('a jump is no step, nor is one over the edge of the map to the next row', () => {
     expect(firstIllegalStep(at('if-at-most-one-obstacle'), [0, 1, 3])).toBe(2)
     expect(firstIllegalStep(at('if-at-most-one-obstacle'), [3, 4])).toBe(1)
+    const open = problemFromText('S..\n...\n...\n..G\n')
+    expect(firstIllegalStep(open, [6, 2])).toBe(1)
+    expect(firstIllegalStep(open, [2, 6])).toBe(1)
   })
 
   test('staying where one is is no step', () => {
