@@ -43,7 +43,10 @@ export class Sensed {
     return free && besides.filter((isFree) => isFree).length >= needed
   }
 
-  /** The obstacle that was sensed to refuse a step; a place out of sight refuses nothing. */
+  /**
+   * The obstacle that was sensed to refuse a step; a place out of sight refuses nothing. Where the
+   * description leaves a choice: of the two beside a diagonal step the first one clockwise.
+   */
   refusing(from: XY, to: XY): XY | undefined {
     if (this.isObstacle(to)) return to
     const refusing = beside(from, to).filter((place) => this.isObstacle(place))
@@ -71,14 +74,14 @@ export class Sensed {
   }
 }
 
-/** The two cells beside a diagonal step; none beside a straight one. */
+/** The two cells beside a diagonal step, in clockwise order; none beside a straight one. */
 function beside([x, y]: XY, [nx, ny]: XY): XY[] {
-  return x === nx || y === ny
-    ? []
-    : [
-        [nx, y],
-        [x, ny],
-      ]
+  if (x === nx || y === ny) return []
+  const sides: XY[] = [
+    [nx, y],
+    [x, ny],
+  ]
+  return (nx - x) * (ny - y) > 0 ? sides : sides.reverse()
 }
 
 function squareAround([x, y]: XY, range: number): XY[] {
