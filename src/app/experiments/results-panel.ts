@@ -3,6 +3,7 @@ import { resultsToCsv } from '../../experiments/results-csv'
 import { resultsToJson } from '../../experiments/results-json'
 import { messageOf } from '../../grid/errors'
 import { byId, setText } from '../element'
+import { fetchedPart } from '../fetched-part'
 import { download } from '../files/download'
 import { tell } from '../state/messages'
 import type { Store } from '../state/store'
@@ -57,7 +58,7 @@ function lazyCharts(store: Store<PageState>, opened: (shown: Shown, mark: Mark) 
 
   const load = async (shown: Shown, isDark: boolean) => {
     try {
-      const { ChartsPanel } = await import('./charts-panel')
+      const { ChartsPanel } = await fetchedPart(import('./charts-panel'))
       if (store.state.shown !== shown) return
       panel?.charts.dispose()
       const charts = new ChartsPanel(container, shown.results, {
