@@ -1,5 +1,5 @@
 import type { Locator, Page } from '@playwright/test'
-import { unfold } from '../actions'
+import { chooseFromMapMenu, unfold } from '../actions'
 import { expect, test } from '../fixtures'
 import { openScenario, playback, reasons, scrubber } from '../steps'
 
@@ -44,6 +44,9 @@ for (const { name, ...size } of SIZES) {
     await page.setViewportSize(size)
     await openScenario(page, 'Fig. 11: Two obstacles, Bug2')
     await expectPlaybackInReach(page)
+    await page.getByRole('button', { name: 'Map', exact: true }).click()
+    await expectInReach(page.getByRole('menuitem', { name: 'Experiments' }))
+    await page.keyboard.press('Escape')
     await unfold(page, 'result')
     await expectInReach(page.getByRole('rowheader', { name: 'Sensed' }))
     await unfold(page, 'planner')
@@ -64,3 +67,21 @@ for (const { name, ...size } of SIZES) {
     await expectPlaybackInReach(page)
   })
 }
+
+test('on the smallest phone nothing has to be moved sideways', async ({ page }) => {
+  await page.setViewportSize({ width: 320, height: 568 })
+  const bar = await page.getByRole('region', { name: 'Map and view' }).boundingBox()
+  expect(bar?.height, 'one row of buttons').toBeLessThan(60)
+  for (const [entry, title] of [
+    ['Scenarios…', 'Scenarios'],
+    ['Generate…', 'Generate a map'],
+    ['New…', 'New map'],
+  ]) {
+    await chooseFromMapMenu(page, entry)
+    const dialog = page.getByRole('dialog', { name: title })
+    await expect(dialog).toBeVisible()
+    const beyond = await dialog.evaluate((box) => box.scrollWidth - box.clientWidth)
+    expect(beyond, title).toBe(0)
+    await page.keyboard.press('Escape')
+  }
+})
