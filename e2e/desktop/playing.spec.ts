@@ -14,7 +14,8 @@ import {
 
 const BENT = 'Fig. 9: Along a bent obstacle'
 const TWO = 'Fig. 11: Two obstacles, Bug2'
-const HIT = '(2, 2) is an obstacle: hit point 1, follow the boundary with the obstacle on the left.'
+const HIT =
+  '(2, 2) is an obstacle: hit point 1 at (1, 3), follow the boundary with the obstacle on the left.'
 const END = 'The end at (2, 0): the goal is reached. The rover is at the goal.'
 
 const choose = (page: Page, speed: string) =>

@@ -78,6 +78,7 @@ function picture(list: readonly Event[]): Frame {
     }),
     vertices: Int32Array.from(cells(EVENT.vertex)),
     edges: Int32Array.from(all(EVENT.edge).flatMap((e) => [e.cell, e.other])),
+    edgesCut: all(EVENT.cut).length > 0,
     mLine: cells(EVENT.mLine),
     hits: cells(EVENT.hit),
     leaves: cells(EVENT.leave),
