@@ -112,11 +112,26 @@ test('a mark opens the runs that failed, and a run the playground where it faile
   await playground.close()
 })
 
+test('all columns of the results are in sight', async ({ page }) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  await experiments.run(SMALL)
+  const hidden = await page
+    .locator('.wide-table', { has: page.locator('#summary') })
+    .evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)
+  expect(hidden).toBe(0)
+})
+
 test('the keyboard goes through the marks of a chart and opens them', async ({ page }) => {
   const experiments = new ExperimentsPage(page)
   await experiments.open()
   await experiments.run(SMALL)
   const marks = page.locator('#charts [data-mark]')
+  const widths = await marks.evaluateAll((all) =>
+    all.map((one) => one.getBoundingClientRect().width),
+  )
+  // What has no width has no place for the focus, as a box of paths that are all optimal.
+  expect(Math.min(...widths)).toBeGreaterThan(0)
   await marks.first().focus()
   await page.keyboard.press('ArrowRight')
   await page.keyboard.press('ArrowRight')

@@ -3,6 +3,7 @@ import type { ExperimentSettings } from '../experiments/settings'
 import type { Quantiles } from '../experiments/summary/statistics'
 import { timeBySize } from '../experiments/summary/times'
 import type { Size } from '../grid/generators'
+import { plural } from '../grid/plural'
 import type { Chart } from './chart'
 import { count, millisecondsInWords } from './words'
 
@@ -25,7 +26,7 @@ export function timeChart(settings: ExperimentSettings, rows: readonly Row[]): C
       y: timeOf(milliseconds),
       low: Math.max(milliseconds.lower, LEAST_TIME),
       high: Math.max(milliseconds.upper, LEAST_TIME),
-      label: `${name}, ${sizeOf(size)}: ${timeInWords(milliseconds)}, ${count(own.length)} runs`,
+      label: `${name}, ${sizeOf(size)}: ${timeInWords(milliseconds)}, ${count(own.length)} ${plural(own.length, 'run')}`,
       runs: [{ title: 'Slowest', rows: slowest(own) }],
     })),
   )
