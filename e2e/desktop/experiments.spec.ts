@@ -220,6 +220,25 @@ test('charts are saved as pictures that stand alone', async ({ page }) => {
   expect(svg).toContain('seed 3')
 })
 
+test('charts that are saved on a phone have room for all that is written in them', async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 })
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  await experiments.run(SMALL)
+  const longest = 'Potential field: success over influence and repulsive value'
+  const svg = await experiments.downloaded(`Save “${longest}” as SVG`)
+  const [end, width] = await page.evaluate((text) => {
+    const { documentElement } = new DOMParser().parseFromString(text, 'image/svg+xml')
+    const picture = document.body.appendChild(document.importNode(documentElement, true))
+    const texts = [...picture.querySelectorAll('text')].map((one) => one.getBoundingClientRect())
+    const { left, width } = picture.getBoundingClientRect()
+    return [Math.max(...texts.map(({ right }) => right)) - left, width]
+  }, svg)
+  expect(end).toBeLessThan(width)
+})
+
 test('a link that is broken is refused, and what was drawn stays', async ({ page, map }) => {
   await expect(map.element).toHaveAttribute('data-status', 'reached')
   const before = await map.view()
