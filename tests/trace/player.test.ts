@@ -169,6 +169,11 @@ describe('a player', () => {
     )
   })
 
+  test.each([0.5, Number.NaN])('has no moment %d', (time) => {
+    const player = new Player(tapeOf([]))
+    expect(() => player.moveTo(time)).toThrow(`The moment ${time} is not a whole number.`)
+  })
+
   test('comes to a moment a little at a time, and may be called elsewhere on the way', () => {
     const some = fc.integer({ min: 1, max: 20 })
     const moves = fc.array(fc.tuple(fc.nat({ max: 60 }), fc.integer({ min: 1, max: 4 })))

@@ -7,7 +7,7 @@ import { fetchedPart } from '../fetched-part'
 import { download } from '../files/download'
 import { tell } from '../state/messages'
 import type { Store } from '../state/store'
-import { numberInWords } from '../words/numbers'
+import { countInWords, numberInWords } from '../words/numbers'
 import type { ChartsPanel } from './charts-panel'
 import { showSummary } from './results-table'
 import { runsDialog } from './runs-dialog'
@@ -44,10 +44,10 @@ export function resultsPanel(store: Store<PageState>): (state: PageState, isDark
 }
 
 function aboutInWords({ maps, total, results: { settings, shard, rows } }: Shown): string {
-  const [m, t, r] = [maps, total, rows.length].map(numberInWords)
-  const part = maps < total ? `The first ${m} of ${t} maps` : `${t} maps`
+  const all = countInWords(total, 'map')
+  const part = maps < total ? `The first ${numberInWords(maps)} of ${all}` : all
   const whose = shard.of > 1 ? ` of shard ${shard.index}/${shard.of}` : ''
-  return `${part}${whose}, ${r} runs, seed ${settings.seed}.`
+  return `${part}${whose}, ${countInWords(rows.length, 'run')}, seed ${settings.seed}.`
 }
 
 /** The charts, and the library that draws them, are loaded with the first results. */
