@@ -6,7 +6,11 @@ export const settings: ExperimentSettings = settingsWith({
   planners: [
     {
       planner: 'probabilistic-roadmap',
-      params: { samples: [40, 5], cost: ['cells', 'euclidean'] },
+      params: {
+        samples: [40, 5],
+        search: ['dijkstra', 'a-star'],
+        cost: ['cells', 'euclidean'],
+      },
     },
     {
       planner: 'potential-field',
