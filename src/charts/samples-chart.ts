@@ -17,20 +17,20 @@ export function samplesChart(rows: readonly Row[]): Chart {
     summary: [
       'How often the roadmap led to the goal where it can be reached, over the number of samples.',
       ...shown.map(
-        ({ samples, success, milliseconds }) =>
-          `${samples} samples: ${percent(success.rate)}, median time ${millisecondsInWords(milliseconds.median)}.`,
+        ({ name, samples, success, milliseconds }) =>
+          `${name}, ${samples} samples: ${percent(success.rate)}, median time ${millisecondsInWords(milliseconds.median)}.`,
       ),
     ].join(' '),
     x: { label: 'Samples', scale: 'log' },
     y: { label: 'Reached, of the goals that can be reached', scale: 'percent' },
     series: curves.map(({ name }, style) => ({ name: `Probabilistic roadmap, ${name}`, style })),
-    marks: shown.map(({ series, samples, success, ratio, milliseconds }) => ({
+    marks: shown.map(({ series, name, samples, success, ratio, milliseconds }) => ({
       series,
       x: samples,
       y: success.rate,
       low: success.low,
       high: success.high,
-      label: `${samples} samples: ${successInWords(success)}, median ratio ${ratioInWords(ratio.quantiles.median)}, median time ${millisecondsInWords(milliseconds.median)}`,
+      label: `${name}, ${samples} samples: ${successInWords(success)}, median ratio ${ratioInWords(ratio.quantiles.median)}, median time ${millisecondsInWords(milliseconds.median)}`,
       runs: [{ title: 'Failed', rows: success.failures }],
     })),
     table: {

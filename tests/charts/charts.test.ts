@@ -17,7 +17,10 @@ const settings: ExperimentSettings = {
   mapsPerCombination: 5,
   planners: [
     { planner: 'decomposition', params: {} },
-    { planner: 'probabilistic-roadmap', params: { samples: [5, 20] } },
+    {
+      planner: 'probabilistic-roadmap',
+      params: { samples: [5, 20], search: ['dijkstra', 'a-star'] },
+    },
     { planner: 'potential-field', params: { influence: [0, 1], repulsiveValue: [3, 30] } },
   ],
 }
@@ -73,12 +76,20 @@ describe('the marks', () => {
   })
 
   it('of samples count roadmaps only', () => {
-    for (const { x, runs } of chart('samples').marks) {
+    const { marks, series } = chart('samples')
+    expect(marks).toHaveLength(4)
+    for (const { x, runs, series: number, label } of marks) {
+      const search = ['dijkstra', 'a-star'][number]
       const failed = possible.filter(
         ({ planner, params, status }) =>
-          planner === 'probabilistic-roadmap' && params.samples === x && status !== 'reached',
+          planner === 'probabilistic-roadmap' &&
+          params.samples === x &&
+          params.search === search &&
+          status !== 'reached',
       )
       expect(runs[0].rows).toEqual(failed)
+      expect(series[number].name).toBe(`Probabilistic roadmap, search ${search}, cost cells`)
+      expect(label).toMatch(`search ${search}, cost cells, ${x} samples: `)
     }
   })
 

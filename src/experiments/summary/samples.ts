@@ -12,7 +12,7 @@ export interface SamplesPoint {
 }
 
 export interface SamplesCurve {
-  /** What its runs have in common beside the samples: "cost cells". */
+  /** What its runs have in common beside the samples: "search dijkstra, cost cells". */
   readonly name: string
   readonly points: readonly SamplesPoint[]
 }
@@ -23,7 +23,7 @@ export interface SamplesCurve {
  */
 export function roadmapBySamples(rows: readonly Row[]): SamplesCurve[] {
   const roadmaps = rows.filter(({ planner }) => planner === 'probabilistic-roadmap')
-  return [...groupBy(roadmaps, ({ params: { cost } }) => `cost ${cost}`)].map(([name, own]) => ({
+  return [...groupBy(roadmaps, otherParams)].map(([name, own]) => ({
     name,
     points: groupByNumber(own, ({ params }) => Number(params.samples)).map(([samples, group]) => ({
       samples,
@@ -33,3 +33,9 @@ export function roadmapBySamples(rows: readonly Row[]): SamplesCurve[] {
     })),
   }))
 }
+
+const otherParams = ({ params }: Row): string =>
+  Object.entries(params)
+    .filter(([name]) => name !== 'samples')
+    .map(([name, value]) => `${name} ${value}`)
+    .join(', ')

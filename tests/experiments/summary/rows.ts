@@ -6,7 +6,11 @@ export const settings: ExperimentSettings = settingsWith({
   planners: [
     {
       planner: 'probabilistic-roadmap',
-      params: { samples: [40, 5], cost: ['cells', 'euclidean'] },
+      params: {
+        search: ['dijkstra', 'a-star'],
+        samples: [40, 5],
+        cost: ['cells', 'euclidean'],
+      },
     },
     {
       planner: 'potential-field',

@@ -83,12 +83,19 @@ test('time to plan goes by increasing size of the map', () => {
   }
 })
 
-test('roadmaps: a curve for each cost, with points by increasing samples', () => {
+test('roadmaps: a curve for each search and cost, with points by increasing samples', () => {
   const curves = roadmapBySamples(rows)
-  expect(curves.map(({ name }) => name)).toEqual(['cost cells', 'cost euclidean'])
+  expect(curves.map(({ name }) => name)).toEqual([
+    'search dijkstra, cost cells',
+    'search dijkstra, cost euclidean',
+    'search a-star, cost cells',
+    'search a-star, cost euclidean',
+  ])
   for (const { points } of curves) {
     expect(points.map(({ samples }) => samples)).toEqual([5, 40])
     const [few, many] = points
+    // One run a map: the same maps twice would make the interval too narrow.
+    expect(few.success.rows.length).toBe(new Set(few.success.rows.map(({ map }) => map)).size)
     expect(few.success.rows.length).toBe(many.success.rows.length)
     expect(few.success.rate).toBeLessThan(many.success.rate)
     expect(few.success.failures.every(({ params }) => params.samples === 5)).toBe(true)
