@@ -3,7 +3,8 @@ import { describe, expect, test } from 'vitest'
 import { MAX_FILE_LENGTH, openMap } from '../../../src/grid/formats/open-map'
 import { InputError, problemToText } from '../../../src/index'
 import { problems } from '../arbitraries'
-import { mustRefuse, project } from './files'
+import { mustRefuse } from './files'
+import { project } from './sound-file'
 
 test('a text map is opened as problemFromText reads it', () => {
   fc.assert(
