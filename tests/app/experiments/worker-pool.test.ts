@@ -6,6 +6,7 @@ import { type PoolWorker, WorkerPool } from '../../../src/app/experiments/worker
 import type { Row } from '../../../src/experiments/row'
 import { runMap } from '../../../src/experiments/run-map'
 import { countWork, type ExperimentSettings } from '../../../src/experiments/settings'
+import { timeless } from '../../experiments/settings'
 
 const settings: ExperimentSettings = {
   ...presets[0].settings,
@@ -76,7 +77,6 @@ function poolOf(size: number) {
   return { pool, workers, told }
 }
 
-const timeless = (rows: readonly Row[]) => rows.map(({ milliseconds: _, ...row }) => row)
 const expected = timeless(Array.from({ length: MAPS }, (_, map) => runMap(settings, map)).flat())
 
 describe('a pool of workers', () => {
