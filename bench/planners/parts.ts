@@ -2,7 +2,7 @@ import type { Case } from './case'
 import { cellCases } from './cases/cells'
 import { fieldCase } from './cases/fields'
 import { roadmapCases, visibilityCase } from './cases/roadmaps'
-import { firstQueryCases, type SearchTargets, searchCases } from './cases/searches'
+import { ceilingCase, firstQueryCases, type SearchTargets, searchCases } from './cases/searches'
 import { tapeCases, tapelessCases } from './cases/tapes'
 import { type BenchMap, generatedMap, MAP_KINDS, type MapKind, WIDE_KINDS } from './maps'
 import { allPeers, sturdyPeers, swiftPeers } from './peers/all'
@@ -60,6 +60,7 @@ function casesOn(kind: MapKind, map: BenchMap, isLarge: boolean): Case[] {
     ...cellCases(map),
     visibilityCase(map),
   ]
+  if (map.grid.width === 60) cases.push(ceilingCase(map))
   // Before any tape is written: code that has seen one may be compiled to another.
   if (map.grid.width === 200 && kind === 'random') cases.push(...tapelessCases(map))
   if (map.grid.width === 200 || (isLarge && kind === 'random')) cases.push(...tapeCases(map))

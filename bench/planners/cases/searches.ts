@@ -50,6 +50,28 @@ export function firstQueryCases(maps: readonly BenchMap[]): Case[] {
   ])
 }
 
+/**
+ * What is around a search by jump points, against the peer's whole queries: ours is asked for the way
+ * to the cell after the start. The ratio is what there would be if searches took no time.
+ */
+export function ceilingCase(map: BenchMap): Case {
+  const peer = pathfindingJumpPoint
+  const params = { cost: 'euclidean', search: 'jump-point' }
+  const oneStep = map.queries.map(({ start, goal }) => {
+    return { start, goal: ask(map.grid, { start, goal }, 'decomposition', params).path[1] }
+  })
+  return {
+    name: `nothing to search, decomposition jump-point, ${map.name}`,
+    against: peer.name,
+    ours: allQueries([{ ...map, queries: oneStep }], (grid, query) =>
+      ask(grid, query, 'decomposition', params),
+    ),
+    peer: allQueries([map], onAnyMap(peer)),
+    unit: 'query',
+    target: null,
+  }
+}
+
 function casesOf(maps: readonly BenchMap[], what: string, duels: readonly Duel[]): Case[] {
   const known = searchesOf('decomposition')
   return duels

@@ -153,8 +153,11 @@ export class JumpGraph {
     }
     vertices.leading[vertex] |= leading
     if ((leading & (leading - 1)) === 0 && goal?.isNear(cell, vertices.views[vertex])) {
-      for (let d = 0; d < 8; d++) {
-        if ((ways >> d) & 1 && looks.from(cell, d, goal) >= 0) leading |= 1 << d
+      let dark = ways & ~leading
+      while (dark !== 0) {
+        const d = 31 - Math.clz32(dark)
+        dark ^= 1 << d
+        if (looks.from(cell, d, goal) >= 0) leading |= 1 << d
       }
     }
     return leading
