@@ -1,4 +1,5 @@
 import { InputError } from '../grid/errors'
+import { describe } from '../grid/excerpt'
 import type { Problem } from '../grid/problem'
 
 interface Named<Name extends string> {
@@ -64,13 +65,14 @@ export function defaultOf(param: Param, problem: Problem): ParamValue {
 export function faultOf(param: Param, value: unknown): string {
   switch (param.kind) {
     case 'boolean':
-      return typeof value === 'boolean' ? '' : `${show(value)} is not true or false`
+      return typeof value === 'boolean' ? '' : `${describe(value)} is not true or false`
     case 'choice':
       return typeof value === 'string' && param.choices.includes(value)
         ? ''
-        : `${show(value)} is not one of ${param.choices.join(', ')}`
+        : `${describe(value)} is not one of ${param.choices.join(', ')}`
     default: {
-      if (typeof value !== 'number' || !Number.isFinite(value)) return `${show(value)} is no number`
+      if (typeof value !== 'number' || !Number.isFinite(value))
+        return `${describe(value)} is no number`
       if (param.kind === 'integer' && !Number.isInteger(value)) {
         return `${value} is not a whole number`
       }
@@ -80,8 +82,6 @@ export function faultOf(param: Param, value: unknown): string {
     }
   }
 }
-
-const show = (value: unknown): string => JSON.stringify(value) ?? String(value)
 
 /**
  * All values of a planner's parameters: those given, checked, and defaults for the rest.
