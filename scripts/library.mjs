@@ -14,8 +14,9 @@ const sources = readdirSync(join(root, 'src'), { recursive: true, encoding: 'utf
   .map((path) => join('src', path))
 const newest = Math.max(...[...sources, 'vite.lib.config.ts', 'package-lock.json'].map(changed))
 
-if (changed('dist-lib/experiment.js') < newest) {
-  const { status } = spawnSync('npx vite build --config vite.lib.config.ts --logLevel warn', {
+// Its types are made last.
+if (changed('dist-lib/types/index.d.ts') < newest) {
+  const { status } = spawnSync('npm run --silent library', {
     cwd: root,
     shell: true,
     stdio: 'inherit',

@@ -110,11 +110,26 @@ test('a mark opens the runs that failed, and a run the playground where it faile
   await playground.close()
 })
 
+test('all columns of the results are in sight', async ({ page }) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  await experiments.run(SMALL)
+  const hidden = await page
+    .locator('.wide-table', { has: page.locator('#summary') })
+    .evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)
+  expect(hidden).toBe(0)
+})
+
 test('the keyboard goes through the marks of a chart and opens them', async ({ page }) => {
   const experiments = new ExperimentsPage(page)
   await experiments.open()
   await experiments.run(SMALL)
   const marks = page.locator('#charts [data-mark]')
+  const widths = await marks.evaluateAll((all) =>
+    all.map((one) => one.getBoundingClientRect().width),
+  )
+  // What has no width has no place for the focus, as a box of paths that are all optimal.
+  expect(Math.min(...widths)).toBeGreaterThan(0)
   await marks.first().focus()
   await page.keyboard.press('ArrowRight')
   await page.keyboard.press('ArrowRight')
@@ -201,6 +216,25 @@ test('charts are saved as pictures that stand alone', async ({ page }) => {
   expect(isWellFormed).toBe(true)
   expect(svg).toContain('Bug2 (leave closer)')
   expect(svg).toContain('seed 3')
+})
+
+test('charts that are saved on a phone have room for all that is written in them', async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 })
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  await experiments.run(SMALL)
+  const longest = 'Potential field: success over influence and repulsive value'
+  const svg = await experiments.downloaded(`Save “${longest}” as SVG`)
+  const [end, width] = await page.evaluate((text) => {
+    const { documentElement } = new DOMParser().parseFromString(text, 'image/svg+xml')
+    const picture = document.body.appendChild(document.importNode(documentElement, true))
+    const texts = [...picture.querySelectorAll('text')].map((one) => one.getBoundingClientRect())
+    const { left, width } = picture.getBoundingClientRect()
+    return [Math.max(...texts.map(({ right }) => right)) - left, width]
+  }, svg)
+  expect(end).toBeLessThan(width)
 })
 
 test('a link that is broken is refused, and what was drawn stays', async ({ page, map }) => {

@@ -1,6 +1,6 @@
 import { expect, type Page, test } from '@playwright/test'
 import { type Fetched, fetchedBy } from '../../bench/load/fetched.mjs'
-import { chooseFromMapMenu } from '../actions'
+import { chooseFromMapMenu, openFile } from '../actions'
 import { ExperimentsPage, SMALL } from '../experiments'
 
 /** Of all that comes before the first map is solved, or the form can be filled in; with gzip. */
@@ -88,6 +88,27 @@ test('that a dialog cannot be loaded is said, and the next try may do better', a
   await page.unroute('**/*.js')
   await page.locator('#help').click()
   await expect(dialog).toBeVisible()
+})
+
+test('so is that a file cannot be opened or saved', async ({ page }) => {
+  await openPlayground(page)
+  const words = 'This part of the page could not be loaded. It is there again'
+  const tries = async () => {
+    await openFile(page, 'map.txt', 'S.\n.G')
+    for (const entry of ['Save', 'Save for MovingAI (.map)', 'Save picture (PNG)']) {
+      await chooseFromMapMenu(page, entry)
+    }
+  }
+  await page.route('**/*.js', (route) => route.abort())
+  await tries()
+  await expect(page.getByText(`map.txt was not opened. ${words}`)).toBeVisible()
+  await expect(page.getByText(`Nothing was saved. ${words}`)).toBeVisible()
+  await page.unroute('**/*.js')
+  const downloads: string[] = []
+  page.on('download', (download) => downloads.push(download.suggestedFilename()))
+  await tries()
+  await expect(page.getByText('Opened map.txt: 2 × 2 cells.').first()).toBeVisible()
+  await expect.poll(() => downloads.length).toBe(3)
 })
 
 test('the page of experiments is within the budget, and loads charts with results', async ({

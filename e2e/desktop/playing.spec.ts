@@ -14,7 +14,8 @@ import {
 
 const BENT = 'Fig. 9: Along a bent obstacle'
 const TWO = 'Fig. 11: Two obstacles, Bug2'
-const HIT = '(2, 2) is an obstacle: hit point 1, follow the boundary with the obstacle on the left.'
+const HIT =
+  '(2, 2) is an obstacle: hit point 1 at (1, 3), follow the boundary with the obstacle on the left.'
 const END = 'The end at (2, 0): the goal is reached. The rover is at the goal.'
 
 const choose = (page: Page, speed: string) =>
@@ -191,10 +192,14 @@ test('without a plan on screen there is nothing to step through', async ({ page 
   await openMap(page, 'S..G\n....')
   const landmarks = playback(page).locator('#ticks > *')
   await expect(landmarks).not.toHaveCount(0)
+  const play = playback(page).getByRole('button', { name: 'Play' })
+  const colour = await play.evaluate((button) => getComputedStyle(button).backgroundColor)
   await chooseFromMapMenu(page, 'Clear path')
   await expect(playback(page).getByText('No steps')).toBeVisible()
   await expect(landmarks).toHaveCount(0)
   await expect(scrubber(page)).toBeDisabled()
+  await expect(play).toHaveAttribute('aria-disabled', 'true')
+  await expect(play).not.toHaveCSS('background-color', colour)
   await press(page, '.')
   await expectSaid(page, 'There is no plan to step through.')
   await press(page, 'k')

@@ -1,3 +1,5 @@
+import { linkTo } from '../../src/app/storage/link'
+import { problemFromText } from '../../src/index'
 import { chooseFromMapMenu, choosePlanner, expectResult, openMap, saveMap } from '../actions'
 import { expect, test } from '../fixtures'
 
@@ -61,4 +63,36 @@ test('a browser that keeps nothing is no reason to stop', async ({ map, page }) 
   await expect(page.getByText('This browser keeps nothing for the next visit')).toBeVisible()
   await chooseFromMapMenu(page, 'Clear obstacles')
   await expect(map.element).toHaveAttribute('data-status', 'reached')
+})
+
+test('links stay in the address until the first edit, and what was drawn before them is kept', async ({
+  map,
+  page,
+}) => {
+  const links = ['S.\n.G', 'S..\n..G'].map((rows) =>
+    linkTo({ problem: problemFromText(rows), plannerId: 'bug1', params: {}, seed: 1 }),
+  )
+  const widthIs = (width: number) =>
+    expect(map.element).toHaveAttribute('data-width', String(width))
+  for (const [i, link] of links.entries()) {
+    await page.evaluate((hash) => {
+      window.location.hash = hash
+    }, link)
+    await widthIs(2 + i)
+    expect(new URL(page.url()).hash).toBe(link)
+  }
+  await page.reload()
+  await widthIs(3)
+
+  await page.goto('about:blank')
+  await page.goto('')
+  await widthIs(10)
+
+  await page.goto(links[1])
+  await widthIs(3)
+  await choosePlanner(page, 'Bug2')
+  await expect.poll(() => new URL(page.url()).hash).toBe('')
+  await page.reload()
+  await widthIs(3)
+  await expect(map.element).toHaveAttribute('data-planner', 'bug2')
 })

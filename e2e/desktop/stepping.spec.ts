@@ -16,29 +16,29 @@ import {
 type Landmark = readonly [step: number, position: string, reason: string]
 
 const SPIRAL: readonly Landmark[] = [
-  [5, '(6, 2)', hit(1, '(6, 3)', 'left')],
+  [5, '(6, 2)', hit(1, '(6, 2)', '(6, 3)', 'left')],
   [16, '(6, 4)', backOnMLine(1, '(6, 4)', 4)],
-  [18, '(6, 5)', hit(2, '(6, 6)', 'left')],
+  [18, '(6, 5)', hit(2, '(6, 5)', '(6, 6)', 'left')],
   [61, '(7, 0)', backOnMLine(2, '(7, 0)', 0)],
   [64, '(6, 2)', loopSince(2)],
 ]
 
 const SLANTING_BUG2: readonly Landmark[] = [
-  [7, '(6, 13)', hit(1, '(7, 12)', 'left')],
+  [7, '(6, 13)', hit(1, '(6, 13)', '(7, 12)', 'left')],
   [19, '(8, 8)', backOnMLine(1, '(8, 8)', 9)],
-  [23, '(8, 5)', hit(2, '(8, 4)', 'left')],
+  [23, '(8, 5)', hit(2, '(8, 5)', '(8, 4)', 'left')],
   [29, '(8, 2)', backOnMLine(2, '(8, 2)', 15)],
   [31, '(8, 1)', 'The end at (8, 1): the goal is reached. The rover is at the goal.'],
 ]
 
 const SLANTING_TANGENT_BUG: readonly Landmark[] = [
-  [8, '(6, 13)', hit(1, '(7, 12)', 'right')],
+  [8, '(6, 13)', hit(1, '(6, 13)', '(7, 12)', 'right')],
   [26, '(1, 3)', leave(1, '(1, 3)')],
   [34, '(8, 1)', 'The end at (8, 1): the goal is reached. The rover is at the goal.'],
 ]
 
-function hit(number: number, obstacle: string, side: string): string {
-  return `${obstacle} is an obstacle: hit point ${number}, follow the boundary with the obstacle on the ${side}.`
+function hit(number: number, cell: string, obstacle: string, side: string): string {
+  return `${obstacle} is an obstacle: hit point ${number} at ${cell}, follow the boundary with the obstacle on the ${side}.`
 }
 
 function leave(number: number, cell: string): string {

@@ -124,3 +124,17 @@ test('nothing sticks out of the screen', async ({ map, page }) => {
     await expect(page.getByRole('button', { name, exact: true })).toBeInViewport({ ratio: 1 })
   }
 })
+
+test('what explains the comparison stays where the table is moved sideways', async ({ page }) => {
+  await page.getByRole('button', { name: 'Compare planners' }).click()
+  const comparison = page.getByRole('region', { name: 'Comparison of planners' })
+  const note = comparison.getByText('Ratio: steps of the path')
+  const before = await note.boundingBox()
+  const moved = await comparison.getByRole('table').evaluate((table) => {
+    const body = table.parentElement
+    body?.scrollBy(150, 0)
+    return body?.scrollLeft
+  })
+  expect(moved).toBe(150)
+  expect(await note.boundingBox()).toEqual(before)
+})

@@ -10,6 +10,8 @@ import type { DriveAnswer } from './planner'
 /** On which side of the rover the obstacle stays. */
 export type Turn = 'left' | 'right'
 
+export const otherSide = (turn: Turn): Turn => (turn === 'left' ? 'right' : 'left')
+
 /** The parameter of all planners that follow boundaries. */
 export const turnParam = {
   name: 'turn',

@@ -1,7 +1,7 @@
 import { type Direction, opposite } from '../grid/directions'
 import { isSamePlace, placeName } from '../grid/grid'
 import { distance, farness, simplestStep } from '../grid/simplest-path'
-import { boxedIn, hitObstacle, turnParam } from './boundary'
+import { boxedIn, hitObstacle, otherSide, turnParam } from './boundary'
 import { onlinePlanner } from './planner'
 import { pseudocode } from './pseudocode'
 
@@ -72,9 +72,11 @@ export const bug1 = onlinePlanner({
         return { status: 'unreachable', reason }
       }
       notes.at(line.back).target(nearest, distance(nearest, goal))
-      for (const direction of shorterWay(walk.taken, firstMet, lastMet)) {
+      const { directions, isBackwards } = shorterWay(walk.taken, firstMet, lastMet)
+      for (const direction of directions) {
         rover.step(direction)
         rover.sense()
+        if (isBackwards) notes.turn(otherSide(params.turn))
         notes.value(HERE, distance(rover.position, goal))
       }
       notes.at(line.leave).leave()
@@ -86,13 +88,16 @@ export const bug1 = onlinePlanner({
 
 /**
  * From the end of a closed walk, which is its start, to a place on it: onwards to where it was first
- * met, or backwards to where it was last met.
+ * met, or backwards, with the obstacle on the other side, to where it was last met.
  */
 function shorterWay(
   taken: readonly Direction[],
   firstMet: number,
   lastMet: number,
-): readonly Direction[] {
-  if (firstMet <= taken.length - lastMet) return taken.slice(0, firstMet)
-  return taken.slice(lastMet).reverse().map(opposite)
+): { readonly directions: readonly Direction[]; readonly isBackwards: boolean } {
+  const isBackwards = firstMet > taken.length - lastMet
+  const directions = isBackwards
+    ? taken.slice(lastMet).reverse().map(opposite)
+    : taken.slice(0, firstMet)
+  return { directions, isBackwards }
 }

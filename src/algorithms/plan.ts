@@ -19,7 +19,7 @@ export interface PlanOptions {
   readonly seed?: number
   /** To be filled with what the planner does. */
   readonly tape?: Tape
-  /** Called now and then by work that takes long, with what is done, from 0 to 1. */
+  /** Called now and then by work that takes long, with what is done, from 0 to 1. It may not plan. */
   readonly progress?: (done: number) => void
 }
 
@@ -47,11 +47,15 @@ export function plannerById(id: string): AnyPlanner {
   throw new InputError(`There is no planner "${id}" (there are: ${known}).`)
 }
 
+/** Searches share their working memory, so that no two of them may go on at the same time. */
+let isUnderWay = false
+
 /**
  * Checks the problem and the parameters, runs the planner, and checks what it answers.
  * @throws InputError that says what is wrong with the problem, the planner or a parameter, and where.
  */
 export function plan(problem: Problem, plannerId: string, options: PlanOptions = {}): Outcome {
+  if (isUnderWay) throw new InputError('Another plan is under way: its "progress" may not plan.')
   checkProblem(problem)
   const planner = plannerById(plannerId)
   const params = completeParams(planner, options.params ?? {}, problem)
@@ -62,7 +66,13 @@ export function plan(problem: Problem, plannerId: string, options: PlanOptions =
   const costOfSteps = params.cost === 'euclidean' ? 'euclidean' : 'cells'
   tape?.begin(problem.grid.width, problem.grid.height, diagonalCost(costOfSteps))
   const context = { params, random: randomNumbers(seed), tape, progress }
-  const answer = run(problem, planner, context)
+  isUnderWay = true
+  let answer: ReturnType<typeof run>
+  try {
+    answer = run(problem, planner, context)
+  } finally {
+    isUnderWay = false
+  }
   const { status, reason, path, expanded, sensed } = answer
   checkAnswer(problem, planner, params, answer)
   tape?.write(EVENT.end, path.at(-1), STATUSES.indexOf(status))

@@ -11,7 +11,7 @@ import { D_FOLLOWED, D_REACH, line } from './tangent-bug-lines'
 /**
  * Tangent Bug as its authors have it, carried over to the grid; "nearer" is by `farness`.
  *
- * It ends: every target is nearer to the goal than all targets before it, a target is only given up
+ * It ends: every target is nearer to the goal than all targets reached before it, and only given up
  * for one with a shorter way, and each boundary is left for a place nearer than d_followed, which is
  * nearer than the hit point (the cell that refuses a step of the simplest path always is).
  *
@@ -63,8 +63,9 @@ export function driveClassic(rover: Rover, turn: Turn, notes: DriveNotes): Drive
       const obstacle = stepped(rover.position, walk.obstacle)
       followed = nearest(followed, far, (visit) => square.obstacle(obstacle, visit))
       const reach = nearest(rover.position, far, (visit) => square.placesInReach(visit))
-      notes.at(line.reach).value(D_REACH, distance(reach, goal))
-      notes.at(line.followed).value(D_FOLLOWED, distance(followed, goal))
+      // They belong to the hit or the step before, whose line stays the present one.
+      notes.value(D_REACH, distance(reach, goal))
+      notes.value(D_FOLLOWED, distance(followed, goal))
       if (far(reach) < far(followed)) {
         notes.at(line.leave).leave()
         bound = far(followed)

@@ -15,7 +15,7 @@ export const { text, line } = pseudocode({
   classic: 'variant classic (Kamon, Rimon and Rivlin):',
   nodes: '  nodes ← the free way to the goal, and the ends of the sensed obstacles',
   target:
-    '  target ← of the nodes nearer to the goal than all targets before, the one with the least distance rover → node → goal',
+    '  target ← of the nodes nearer to the goal than all targets reached before, the one with the least distance rover → node → goal',
   towards: '  motion to goal: a step towards the target',
   hit: '  if no node is nearer to the goal: follow the boundary of the obstacle in the way',
   reach: '  d_reach ← distance to the goal of the nearest free place in reach',

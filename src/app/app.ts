@@ -44,8 +44,7 @@ export function startApp(): void {
   drawIcons(document)
   const stage = new Stage(store, map, planning.tick)
   comparingFor(store)
-  // After the link, whose map takes the place of what was drawn only once it is changed.
-  keep(store, shelf)
+  keep(store, shelf, isLinked)
   const dialogs = dialogsOf(store)
   const shown = panels(store, planning, stage, dialogs)
   oncePlanned(store, () => stage.open(shown))

@@ -63,6 +63,9 @@ export function boxesOptions(chart: BoxesChart, { theme, isShown }: Drawing): Pl
         strokeWidth: 1.5,
         insetTop: 19,
         insetBottom: 5,
+        // Of values that are all alike, too, there is something to be seen, and to have the focus.
+        insetLeft: -1,
+        insetRight: -1,
       }),
       Plot.tickX(shown, {
         x: 'x',

@@ -26,6 +26,8 @@ export function linesOptions(chart: LinesChart, { theme, isShown }: Drawing): Pl
     })
   })
   const frame = frameOf(shown)
+  // A logarithm has no place for no samples at all.
+  const hasZero = chart.x.scale === 'log' && marks.some(({ x }) => x === 0)
   const intervals = { x: 'x', y1: 'low', y2: 'high', stroke: colour, ariaHidden: 'true' }
   return {
     height: 380,
@@ -35,7 +37,7 @@ export function linesOptions(chart: LinesChart, { theme, isShown }: Drawing): Pl
     marginBottom: 46,
     insetLeft: 10,
     insetRight: 10,
-    x: scaleOf(chart.x),
+    x: { ...scaleOf(chart.x), ...(hasZero && { type: 'symlog' }) },
     y: scaleOf(chart.y, frame),
     marks: [
       ...axes(chart, frame, theme.faint),
@@ -59,7 +61,8 @@ export function linesOptions(chart: LinesChart, { theme, isShown }: Drawing): Pl
 function frameOf(marks: readonly Mark[]): Range {
   if (marks.length === 0) return [1, 10]
   const least = Math.min(...marks.map(({ y }) => y))
-  const greatest = Math.max(...marks.map(({ high }) => high))
+  // A mean may lie above most of the values.
+  const greatest = Math.max(...marks.map(({ y, high }) => Math.max(y, high)))
   return [least / 2, greatest * 1.3]
 }
 

@@ -7,7 +7,11 @@ import { millisecondsInWords, percent, ratioInWords, successInWords } from './wo
 export function samplesChart(rows: readonly Row[]): Chart {
   const curves = roadmapBySamples(rows)
   const points = curves.flatMap((curve, series) =>
-    curve.points.map((point) => ({ ...point, series, name: curve.name })),
+    curve.points.map((point) => {
+      const samples = `${point.samples} samples`
+      const words = curves.length > 1 ? `${curve.name}, ${samples}` : samples
+      return { ...point, series, name: curve.name, words }
+    }),
   )
   const shown = points.filter(({ success }) => success.rows.length > 0)
   return {
@@ -17,20 +21,20 @@ export function samplesChart(rows: readonly Row[]): Chart {
     summary: [
       'How often the roadmap led to the goal where it can be reached, over the number of samples.',
       ...shown.map(
-        ({ name, samples, success, milliseconds }) =>
-          `${name}, ${samples} samples: ${percent(success.rate)}, median time ${millisecondsInWords(milliseconds.median)}.`,
+        ({ words, success, milliseconds }) =>
+          `${words}: ${percent(success.rate)}, median time ${millisecondsInWords(milliseconds.median)}.`,
       ),
     ].join(' '),
     x: { label: 'Samples', scale: 'log' },
     y: { label: 'Reached, of the goals that can be reached', scale: 'percent' },
     series: curves.map(({ name }, style) => ({ name: `Probabilistic roadmap, ${name}`, style })),
-    marks: shown.map(({ series, name, samples, success, ratio, milliseconds }) => ({
+    marks: shown.map(({ series, samples, words, success, ratio, milliseconds }) => ({
       series,
       x: samples,
       y: success.rate,
       low: success.low,
       high: success.high,
-      label: `${name}, ${samples} samples: ${successInWords(success)}, median ratio ${ratioInWords(ratio.quantiles.median)}, median time ${millisecondsInWords(milliseconds.median)}`,
+      label: `${words}: ${successInWords(success)}, median ratio ${ratioInWords(ratio.quantiles.median)}, median time ${millisecondsInWords(milliseconds.median)}`,
       runs: [{ title: 'Failed', rows: success.failures }],
     })),
     table: {

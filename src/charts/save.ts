@@ -4,6 +4,8 @@ import { drawSwatch, SWATCH_HEIGHT, SWATCH_WIDTH } from './legend'
 
 const SVG = 'http://www.w3.org/2000/svg'
 const MARGIN = 16
+/** A chart on a phone is narrower than its title. */
+const LEAST_WIDTH = 600
 const LINE = 20
 
 /**
@@ -12,9 +14,10 @@ const LINE = 20
  */
 export function drawStandalone(chart: Chart, drawing: Drawing, note: string): SVGSVGElement {
   const { theme, isShown, document: page = document } = drawing
-  const width = drawing.width + 2 * MARGIN
+  const chartWidth = Math.max(drawing.width, LEAST_WIDTH)
+  const width = chartWidth + 2 * MARGIN
   const chartTop = MARGIN + 24
-  const picture = drawChart(chart, drawing)
+  const picture = drawChart(chart, { ...drawing, width: chartWidth })
   const chartHeight = Number(picture.getAttribute('height'))
 
   const svg = page.createElementNS(SVG, 'svg') as SVGSVGElement

@@ -2,6 +2,8 @@ import type { Row } from '../experiments/row'
 import type { ExperimentSettings } from '../experiments/settings'
 import type { Quantiles } from '../experiments/summary/statistics'
 import { timeBySize } from '../experiments/summary/times'
+import type { Size } from '../grid/generators'
+import { plural } from '../grid/plural'
 import type { Chart } from './chart'
 import { count, millisecondsInWords } from './words'
 
@@ -18,23 +20,21 @@ const timeOf = ({ median, mean }: Quantiles): number =>
 export function timeChart(settings: ExperimentSettings, rows: readonly Row[]): Chart {
   const curves = timeBySize(settings, rows)
   const marks = curves.flatMap(({ name, points }, series) =>
-    points.map(({ width, height, cells, rows: own, milliseconds }) => ({
+    points.map(({ cells, rows: own, milliseconds, ...size }) => ({
       series,
       x: cells,
       y: timeOf(milliseconds),
       low: Math.max(milliseconds.lower, LEAST_TIME),
       high: Math.max(milliseconds.upper, LEAST_TIME),
-      label: `${name}, ${width} × ${height}: ${timeInWords(milliseconds)}, ${count(own.length)} runs`,
+      label: `${name}, ${sizeOf(size)}: ${timeInWords(milliseconds)}, ${count(own.length)} ${plural(own.length, 'run')}`,
       runs: [{ title: 'Slowest', rows: slowest(own) }],
     })),
   )
   const sizes = [
     ...new Map(
-      curves.flatMap(({ points }) =>
-        points.map((one) => [one.cells, `${one.width} × ${one.height}`] as const),
-      ),
+      curves.flatMap(({ points }) => points.map((one) => [sizeOf(one), one.cells] as const)),
     ),
-  ].sort(([a], [b]) => a - b)
+  ].sort(([, a], [, b]) => a - b)
   return {
     id: 'time',
     kind: 'lines',
@@ -51,11 +51,11 @@ export function timeChart(settings: ExperimentSettings, rows: readonly Row[]): C
     series: curves.map(({ name, setting }) => ({ name, style: setting })),
     marks,
     table: {
-      columns: ['Planner', ...sizes.map(([, name]) => name)],
+      columns: ['Planner', ...sizes.map(([size]) => size)],
       rows: curves.map(({ name, points }) => [
         name,
-        ...sizes.map(([cells]) => {
-          const point = points.find((one) => one.cells === cells)
+        ...sizes.map(([size]) => {
+          const point = points.find((one) => sizeOf(one) === size)
           return point ? millisecondsInWords(timeOf(point.milliseconds)) : '–'
         }),
       ]),
@@ -63,6 +63,8 @@ export function timeChart(settings: ExperimentSettings, rows: readonly Row[]): C
     missing: sizes.length < 2 ? 'It needs maps of at least two sizes.' : '',
   }
 }
+
+const sizeOf = ({ width, height }: Size): string => `${width} × ${height}`
 
 const slowest = (rows: readonly Row[]): Row[] =>
   [...rows].sort((a, b) => b.milliseconds - a.milliseconds).slice(0, SLOWEST)

@@ -1,4 +1,5 @@
-import { closeSync, openSync, readSync } from 'node:fs'
+import { closeSync, fstatSync, openSync, readSync } from 'node:fs'
+import { InputError } from '../grid/errors'
 
 const CHUNK_BYTES = 1 << 20
 const LINE_END = 10
@@ -11,10 +12,14 @@ export interface Line {
   readonly isWhole: boolean
 }
 
-/** The lines of a file, one after the other: it may be larger than what memory and strings can hold. */
+/**
+ * The lines of a file, one after the other: it may be larger than what memory and strings can hold.
+ * @throws InputError if it is a folder, a device or a pipe, of which no part can be read again
+ */
 export function* linesOf(path: string): Generator<Line, void> {
   const file = openSync(path, 'r')
   try {
+    if (!fstatSync(file).isFile()) throw new InputError(`${path} is no file.`)
     const chunk = Buffer.alloc(CHUNK_BYTES)
     let rest = Buffer.alloc(0)
     let end = 0

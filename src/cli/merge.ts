@@ -1,4 +1,4 @@
-import { createReadStream, createWriteStream, renameSync } from 'node:fs'
+import { createReadStream, createWriteStream, renameSync, rmSync } from 'node:fs'
 import { pipeline } from 'node:stream/promises'
 import { type Origin, readOrigin } from '../experiments/results'
 import { originToLine, parseLine } from '../experiments/results-json'
@@ -7,6 +7,7 @@ import { rangeOfShard, WHOLE } from '../experiments/shards'
 import { InputError } from '../grid/errors'
 import { linesOf } from './lines'
 import { inFile, mapsThere } from './maps-there'
+import { headerThere } from './results-file'
 
 interface ShardFile {
   readonly path: string
@@ -20,16 +21,22 @@ interface ShardFile {
  * Joins the files of all shards of an experiment into the file that a single run makes. All of them
  * are checked before anything is written, and the new file takes its name when it is whole.
  * @param out path of the new file; `null` for the standard output
- * @throws InputError that names the file that is not of these settings, not complete or there twice
+ * @throws InputError that names the file that is not of these settings, not complete or there twice,
+ *   or `out`, if it has something else in it than rows of the same maps
  */
 export async function mergeShards(paths: readonly string[], out: string | null): Promise<void> {
   const files = paths.map(readShardFile)
   files.sort((a, b) => a.origin.shard.index - b.origin.shard.index)
   checkTogether(files)
   if (out === null) return pipeline(rowsOf(files), process.stdout, { end: false })
+  headerThere(out, { ...files[0].origin, shard: WHOLE })?.lines.return()
   const part = `${out}.part`
-  await pipeline(rowsOf(files), createWriteStream(part))
-  renameSync(part, out)
+  try {
+    await pipeline(rowsOf(files), createWriteStream(part))
+    renameSync(part, out)
+  } finally {
+    rmSync(part, { force: true })
+  }
 }
 
 /** What stands in the file of all of them. */

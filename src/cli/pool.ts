@@ -27,7 +27,8 @@ interface Job {
 /**
  * Runs maps in threads.
  * @param onMap is called with the JSON lines of one map after the other, in their order
- * @returns a promise that is kept when all are done, or when the signal came
+ * @returns a promise that is kept when all are done, or when the signal came, and broken if a map or
+ *   `onMap` fails
  */
 export async function runMaps(job: Job, onMap: (lines: string) => void): Promise<void> {
   const { settings, maps, workers, program, signal } = job
@@ -54,7 +55,14 @@ export async function runMaps(job: Job, onMap: (lines: string) => void): Promise
       signal.addEventListener('abort', () => resolve())
       if (signal.aborted || count === 0) resolve()
       for (const thread of threads) {
-        thread.on('message', (answer: Answer) => answered(thread, answer))
+        thread.on('message', (answer: Answer) => {
+          try {
+            answered(thread, answer)
+          } catch (error) {
+            // Thrown by `onMap`: the disk is full, say.
+            reject(error)
+          }
+        })
         thread.on('error', reject)
         thread.on('exit', (code) => reject(new Error(`A thread ended with code ${code}.`)))
         // Two each, so that no thread waits for its next one to be sent.

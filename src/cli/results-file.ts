@@ -48,19 +48,28 @@ export function openRowsFile(path: string, origin: Origin): RowsWriter {
 /** What is in the file, if it is there and is about the same. */
 function whatIsThere(path: string, origin: Origin): MapsThere {
   const { first } = rangeOfShard(origin.shard, countWork(origin.settings).maps)
-  const nothing = { next: first, end: 0 }
-  if (!existsSync(path)) return nothing
+  const there = headerThere(path, origin)
+  return there ? mapsThere(path, origin, there.header, there.lines) : { next: first, end: 0 }
+}
+
+/**
+ * The first line of a file of such rows, and those after it; `null` if there is no file, or none of
+ * its lines is whole.
+ * @throws InputError if the file has something else in it
+ */
+export function headerThere(path: string, origin: Origin) {
+  if (!existsSync(path)) return null
   const lines = linesOf(path)
   const { value: header, done } = lines.next()
-  if (done) return nothing
+  if (done) return null
   if (!header.isWhole) {
     // A letter of several bytes may be cut, too.
     const cut = header.text.replace(/\uFFFD$/, '')
     if (!originToLine(origin).startsWith(cut)) throw isSomethingElse(path)
-    return nothing
+    return null
   }
   checkOrigin(path, header.text, origin)
-  return mapsThere(path, origin, header, lines)
+  return { header, lines }
 }
 
 function checkOrigin(path: string, line: string, origin: Origin): void {

@@ -3,7 +3,7 @@ import { describe } from '../grid/excerpt'
 import { originToJson, type Results, readOrigin } from './results'
 import { parseLine } from './results-json'
 import type { Row } from './row'
-import { readRow } from './row-shape'
+import { rowReader } from './row-reader'
 
 type Value = string | number | boolean | null
 
@@ -64,6 +64,7 @@ export function resultsFromCsv(text: string): Results {
   if (!comment.startsWith('# ')) throw new InputError('Line 1 must be "# " and the settings.')
   const origin = readOrigin(parseLine(comment.slice(2), 1))
   const names = (header ?? '').split(',')
+  const read = rowReader(origin)
   const rows = lines.map((line, i) => {
     const number = `Line ${i + 3}`
     const values = splitLine(line)
@@ -73,7 +74,7 @@ export function resultsFromCsv(text: string): Results {
       )
     }
     const row = names.map((name, k) => [name, valueIn(values[k], WORDS.has(name))] as const)
-    return readRow(unflatten(Object.fromEntries(row)), number)
+    return read(unflatten(Object.fromEntries(row)), number)
   })
   return { ...origin, rows }
 }

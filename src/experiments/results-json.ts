@@ -3,7 +3,7 @@ import { describe } from '../grid/excerpt'
 import { parseJson } from '../grid/formats/json'
 import { type Origin, originToJson, type Results, readOrigin } from './results'
 import type { Row } from './row'
-import { readRow } from './row-shape'
+import { rowReader } from './row-reader'
 
 /** The first of the JSON lines, without its end: what the rows after it come from. */
 export const originToLine = (origin: Origin): string => JSON.stringify(originToJson(origin))
@@ -24,10 +24,8 @@ export function resultsFromLines(text: string): Results {
   const [first, ...others] = text.split('\n')
   const origin = readOrigin(parseLine(first, 1))
   others.pop()
-  return {
-    ...origin,
-    rows: others.map((line, i) => readRow(parseLine(line, i + 2), `Line ${i + 2}`)),
-  }
+  const read = rowReader(origin)
+  return { ...origin, rows: others.map((line, i) => read(parseLine(line, i + 2), `Line ${i + 2}`)) }
 }
 
 /**
@@ -56,5 +54,6 @@ export function resultsFromJson(text: string): Results {
   const value = Object(parseJson(text))
   const origin = readOrigin(value)
   if (!Array.isArray(value.rows)) throw new InputError('"rows" must be a list.')
-  return { ...origin, rows: value.rows.map((row: unknown, i: number) => readRow(row, `Row ${i}`)) }
+  const read = rowReader(origin)
+  return { ...origin, rows: value.rows.map((row: unknown, i: number) => read(row, `Row ${i}`)) }
 }

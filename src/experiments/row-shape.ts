@@ -47,8 +47,10 @@ const shape: v.GenericSchema<unknown, Row> = v.strictObject({
 export function readRow(value: unknown, name: string): Row {
   const result = v.safeParse(shape, value, { abortEarly: true })
   if (result.success) return result.output
+  const fault = (what: string) => new InputError(`${name} is no row of results: ${what}.`)
   const [issue] = result.issues
   const field = v.getDotPath(issue)
-  if (field === null) throw new InputError(`${name} is no row of results: ${describe(value)}.`)
-  throw new InputError(`${name} is no row of results: "${field}" is ${describe(issue.input)}.`)
+  if (field === null || Array.isArray(value)) throw fault(describe(value))
+  if (issue.expected === 'never') throw fault(`there is no field "${field}"`)
+  throw fault(`"${field}" is ${issue.input === undefined ? 'missing' : describe(issue.input)}`)
 }

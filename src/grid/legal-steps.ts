@@ -40,7 +40,8 @@ const isOfSameKind = (before: Known, { width, walls }: Grid, rule: DiagonalRule)
   before.rule === rule && before.width === width && before.walls.length === walls.length
 
 function learn({ width, walls }: Grid, rule: DiagonalRule, steps: Uint8Array): Uint8Array {
-  known = { rule, width, walls: walls.slice(), steps }
+  // No `slice`: that of a Node Buffer, which is a Uint8Array too, makes no copy.
+  known = { rule, width, walls: new Uint8Array(walls), steps }
   return steps
 }
 

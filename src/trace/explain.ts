@@ -1,11 +1,11 @@
-import { type Cell, cellName } from '../grid/grid'
+import { type Cell, cellName, pointOf } from '../grid/grid'
 import { plural } from '../grid/plural'
+import { KNOWN } from './cell-state'
 import { costLeft } from './cost-left'
 import { EVENT, STATUSES, type Status } from './events'
-import type { Frame } from './frame'
+import { type Frame, knownOf } from './frame'
 import { openedBy } from './opened'
 import type { Tape } from './tape'
-import type { Thinning } from './thinning'
 
 const SIDES = ['left', 'right'] as const
 
@@ -71,7 +71,7 @@ export function explain(
     case EVENT.potential:
       return `Row ${row}: attraction and repulsion added up.`
     case EVENT.step:
-      return explainStep(name, cell, other, frame, tape.thinning)
+      return explainStep(name, tape, first, frame)
     case EVENT.sense:
       return `The rover senses what is around ${name(frame.rover)}.`
     case EVENT.scan:
@@ -79,14 +79,14 @@ export function explain(
         ? `No end of an obstacle is in reach of ${name(cell)}.`
         : `${count(frame.nodes.length, 'node')} in reach of ${name(cell)}.`
     case EVENT.target:
-      return explainTarget(cell < 0 ? 'a place of the border' : name(cell), value, frame)
+      return explainTarget(cell < 0 ? 'a place of the border' : name(cell), cell, value, frame)
     case EVENT.mLine:
       return `The m-line: the simplest path from start to goal, ${count(frame.mLine.length, 'cell')}.`
     case EVENT.hit: {
       const what = other < 0 ? 'The border of the map' : `${name(other)} is an obstacle`
       // Which way round is not on a thinned tape.
       const side = tape.thinning === 'whole' ? ` with the obstacle on the ${SIDES[frame.turn]}` : ''
-      return `${what}: hit point ${value}, follow the boundary${side}.`
+      return `${what}: hit point ${value} at ${name(cell)}, follow the boundary${side}.`
     }
     case EVENT.around:
       return `Round the obstacle once, in ${count(value, 'step')}, and back at ${name(cell)}.`
@@ -104,24 +104,37 @@ export function explain(
 
 function explainStep(
   name: (cell: Cell) => string,
-  cell: Cell,
-  from: Cell,
+  tape: Tape,
+  first: number,
   frame: Frame,
-  thinning: Thinning,
 ): string {
+  const cell = tape.cell(first)
+  const from = tape.other(first)
   if (from < 0) return `Start at ${name(cell)}.`
   const { potential } = frame.fields
   if (potential) return `Step to ${name(cell)}, ${fromTo(potential[from], potential[cell])}.`
   if (!frame.following) return `Step to ${name(cell)}: the way is free.`
   // Neither what it heads for nor what it keeps at its side is on a thinned tape.
-  if (thinning !== 'whole') return `Step to ${name(cell)}, along the boundary.`
+  if (tape.thinning !== 'whole') return `Step to ${name(cell)}, along the boundary.`
   // Only Bug1 heads for a place while it is at the boundary: back to the nearest one.
   if (frame.target >= 0)
     return `Step to ${name(cell)}, along the boundary to ${name(frame.target)}.`
-  return `Step to ${name(cell)}, keeping ${name(frame.atSide)} on the ${SIDES[frame.turn]}.`
+  const side = SIDES[frame.turn]
+  return isInTheWay(tape.width, from, cell, frame)
+    ? `Step to ${name(cell)}, where ${name(frame.atSide)} is in the way: it is kept on the ${side} from now on.`
+    : `Step to ${name(cell)}, keeping ${name(frame.atSide)} on the ${side}.`
 }
 
-function explainTarget(place: string, value: number, frame: Frame): string {
+/** Whether the obstacle cell that the rover keeps at its side did not lie there when it came, but ahead. */
+function isInTheWay(width: number, from: Cell, to: Cell, { atSide, turn }: Frame): boolean {
+  if (atSide < 0) return false
+  const [was, is, kept] = [from, to, atSide].map((place) => pointOf(width, place))
+  // Above 0 if it is on the right of the way that the rover came.
+  const side = (is.x - was.x) * (kept.y - is.y) - (is.y - was.y) * (kept.x - is.x)
+  return turn === 0 ? side >= 0 : side <= 0
+}
+
+function explainTarget(place: string, cell: Cell, value: number, frame: Frame): string {
   // Whether the agent goes there is for the next step to say.
   if (frame.fields.potential)
     return `The neighbour of lowest potential to choose from is ${place}: ${number(value)}.`
@@ -131,6 +144,9 @@ function explainTarget(place: string, value: number, frame: Frame): string {
   // Classic Tangent Bug, which has just left a boundary for it.
   if (frame.nodes.length === 0)
     return `Head for ${place}, of the places in reach the nearest to the goal.`
+  // Nodes of classic Tangent Bug are free, those of the report's are not, and any of them may be chosen.
+  if (cell >= 0 && knownOf(frame, cell) === KNOWN.free)
+    return `Head for ${place}: ${count(value, 'step')} over it to the goal, the fewest of the nodes that are nearer to it than all targets reached before.`
   return `Head for ${place}, of the nodes the one with the shortest way over it to the goal: ${count(value, 'step')}.`
 }
 

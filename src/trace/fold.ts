@@ -66,6 +66,9 @@ function fold(
       edges.push(other)
       frame.refusal = null
       break
+    case EVENT.cut:
+      frame.edgesCut = true
+      break
     case EVENT.refuse:
       frame.refusal = { from: cell, to: other, at: value }
       break

@@ -60,6 +60,8 @@ export interface Frame {
   vertices: Int32Array
   /** Pairs of cells, one after the other. */
   edges: Int32Array
+  /** Whether there are more edges than these, which the tape leaves out. */
+  edgesCut: boolean
   readonly mLine: CellList
   readonly hits: CellList
   readonly leaves: CellList
@@ -109,6 +111,7 @@ export function firstFrame({ width, height }: Tape): Frame {
     refusal: null,
     vertices: new Int32Array(0),
     edges: new Int32Array(0),
+    edgesCut: false,
     mLine: [],
     hits: [],
     leaves: [],

@@ -1,3 +1,4 @@
+import { InputError } from '../grid/errors'
 import { advance } from './fold'
 import { copyOf, type Frame, firstFrame } from './frame'
 import type { Tape } from './tape'
@@ -31,8 +32,12 @@ export class Player {
     return this.#current
   }
 
-  /** Moves to the moment after the first `time` events, clamped to the tape. */
+  /**
+   * Moves to the moment after the first `time` events, clamped to the tape.
+   * @throws InputError if `time` is not a whole number
+   */
   moveTo(time: number): Frame {
+    if (Math.floor(time) !== time) throw new InputError(`The moment ${time} is not a whole number.`)
     this.approach(time, () => false)
     return this.#current
   }

@@ -90,6 +90,14 @@ export class PosthocLines {
     return this.#blocks.join(',\n')
   }
 
+  /** @throws InputError if the events may not have so many characters. */
+  mustFit(length: number): void {
+    if (length <= this.#most) return
+    throw new InputError(
+      `The trace is too long for a file: more than ${this.#most / 1e6} million characters. Save one of a smaller map.`,
+    )
+  }
+
   #close(): void {
     if (this.#open === '') return
     const count = this.#lines.push(`${this.#open}}`)
@@ -103,10 +111,6 @@ export class PosthocLines {
     this.#lines = []
     this.#blocks.push(block)
     this.#length += block.length
-    if (this.#length > this.#most) {
-      throw new InputError(
-        `The trace is too long for a file: more than ${this.#most / 1e6} million characters. Save one of a smaller map.`,
-      )
-    }
+    this.mustFit(this.#length)
   }
 }

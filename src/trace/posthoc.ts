@@ -5,6 +5,7 @@ import type { Estimate } from './frame'
 import { isAttached } from './landmarks'
 import { openedBy } from './opened'
 import { PosthocDrive } from './posthoc-drive'
+import { leastLength } from './posthoc-length'
 import { PosthocLines } from './posthoc-lines'
 import { PosthocSearch } from './posthoc-search'
 import { posthocPivot, posthocViews } from './posthoc-views'
@@ -37,6 +38,8 @@ export function posthocTrace(
   most: number = MOST_CHARACTERS,
 ): string {
   const lines = new PosthocLines(tape, most)
+  // To find that out by writing would keep a page busy for seconds.
+  lines.mustFit(leastLength(tape))
   writeEnds(lines, info)
   writeEvents(lines, tape, info)
   const events = lines.text()

@@ -1,10 +1,10 @@
 import { beforeEach, describe, expect, it } from 'vitest'
 import type { State } from '../../src/app/state/state'
 import { createStore, type Store } from '../../src/app/state/store'
-import { undo } from '../../src/app/state/transitions'
+import { changeMap, undo } from '../../src/app/state/transitions'
 import { Hand, type Press } from '../../src/app/tools/hand'
 import type { Point } from '../../src/grid/grid'
-import { obstaclesOf, stateFrom } from './setups'
+import { obstaclesOf, setupFrom, stateFrom } from './setups'
 
 let store: Store<State>
 let hand: Hand
@@ -107,6 +107,39 @@ describe('the main button', () => {
     expect(store.state.setup).toBe(setup)
     expect(store.state.history.past).toEqual([])
     expect(hand.cancel()).toBe(false)
+  })
+})
+
+describe('a map that is opened meanwhile', () => {
+  const open = () =>
+    store.update((state) => changeMap(state, setupFrom('S###\n.###\n.###\n...G'), 'Opened.'))
+
+  it.each([
+    ['a stroke', at(1, 0)],
+    ['a mark that is dragged', at(0, 0)],
+    ['a map that is dragged', { x: 300, y: 300 }],
+  ])('ends %s', (_, from) => {
+    press(from)
+    move(at(2, 1))
+    open()
+    const { setup, view } = store.state
+    // From corner to corner of the screen.
+    move({ x: 800, y: 0 }, { x: 0, y: 600 })
+    release()
+    expect(store.state.setup).toBe(setup)
+    expect(store.state.view).toBe(view)
+    expect(hand.isBusy).toBe(false)
+  })
+
+  it('leaves the stroke before it as a step to undo', () => {
+    press(at(1, 0))
+    move(at(2, 0))
+    open()
+    release()
+    store.update(undo)
+    expect(obstacles()).toEqual(cells([1, 0], [2, 0], [2, 2], [3, 2]))
+    store.update(undo)
+    expect(obstacles()).toEqual(cells([2, 2], [3, 2]))
   })
 })
 

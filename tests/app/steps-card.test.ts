@@ -115,6 +115,19 @@ describe('the numbers of a step', () => {
     expect(rows).toMatchObject({ Phase: 'Path', Cost: '7' })
   })
 
+  it('say that a roadmap has more edges than are on the tape', () => {
+    const state = stateOf('visibility-graph')
+    const moment = momentAt(state)
+    const cut = { ...moment, frame: { ...moment.frame, edgesCut: true } }
+    const edges = (at: Moment) => stepNumbers(at).find(({ label }) => label === 'Edges')?.value
+    expect(edges(moment)).toMatch(/^\d+$/)
+    expect(edges(cut)).toBe(`more than ${edges(moment)}`)
+    const { problem } = state.setup
+    const start = (at: Moment) => cellFactsInWords(at, problem, problem.start)
+    expect(start(moment)).toMatch(/ertex with \d edges?/)
+    expect(start(cut)).toMatch(/ertex with at least \d edges?/)
+  })
+
   it('say "none" where the rover is not on the m-line', () => {
     const state = toNextLandmark(toStep(stateOf('bug2'), 0))
     const values = (time: number) => {

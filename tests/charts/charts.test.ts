@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { presets } from '../../src/app/experiments/presets'
 import { chartsOf } from '../../src/charts/charts'
+import { linesOptions } from '../../src/charts/draw-lines'
 import { chartThemes, seriesStyle } from '../../src/charts/style'
 import { runMap } from '../../src/experiments/run-map'
 import { countWork, type ExperimentSettings } from '../../src/experiments/settings'
@@ -11,7 +12,8 @@ const settings: ExperimentSettings = {
   families: [{ family: 'random', params: { density: [10, 35] } }],
   sizes: [
     [10, 10],
-    [16, 16],
+    [12, 16],
+    [16, 12],
   ],
   leastDistance: 4,
   mapsPerCombination: 5,
@@ -19,7 +21,7 @@ const settings: ExperimentSettings = {
     { planner: 'decomposition', params: {} },
     {
       planner: 'probabilistic-roadmap',
-      params: { samples: [5, 20], search: ['dijkstra', 'a-star'] },
+      params: { samples: [5, 0, 20], search: ['dijkstra', 'a-star'] },
     },
     { planner: 'potential-field', params: { influence: [0, 1], repulsiveValue: [3, 30] } },
   ],
@@ -32,6 +34,11 @@ const chart = (id: string, among = charts) => {
   const found = among.find((one) => one.id === id)
   if (!found) throw new Error(`no chart ${id}`)
   return found
+}
+const optionsOf = (id: string, among = rows) => {
+  const found = chart(id, chartsOf(settings, among))
+  if (found.kind !== 'lines') throw new Error(`${id} has no lines`)
+  return linesOptions(found, { width: 600, theme: chartThemes.dark, isShown: () => true })
 }
 const possible = rows.filter(({ reachable }) => reachable)
 
@@ -78,10 +85,8 @@ describe('the marks', () => {
   })
 
   it('of samples count roadmaps only', () => {
-    const { marks, series } = chart('samples')
-    expect(marks).toHaveLength(4)
-    for (const { x, runs, series: number, label } of marks) {
-      const search = ['dijkstra', 'a-star'][number]
+    for (const { x, series, runs } of chart('samples').marks) {
+      const search = ['dijkstra', 'a-star'][series]
       const failed = possible.filter(
         ({ planner, params, status }) =>
           planner === 'probabilistic-roadmap' &&
@@ -90,8 +95,6 @@ describe('the marks', () => {
           status !== 'reached',
       )
       expect(runs[0].rows).toEqual(failed)
-      expect(series[number].name).toBe(`Probabilistic roadmap, search ${search}, cost cells`)
-      expect(label).toMatch(`search ${search}, cost cells, ${x} samples: `)
     }
   })
 
@@ -116,10 +119,40 @@ describe('the marks', () => {
     }
   })
 
+  it('of samples lie on the axis, those of none too', () => {
+    const { series, marks } = chart('samples')
+    expect(series.map(({ name }) => name)).toEqual([
+      'Probabilistic roadmap, search dijkstra, cost cells',
+      'Probabilistic roadmap, search a-star, cost cells',
+    ])
+    expect(marks.map(({ x }) => x)).toEqual([0, 5, 20, 0, 5, 20])
+    expect(optionsOf('samples').x?.type).toBe('symlog')
+    expect(optionsOf('time').x?.type).toBe('log')
+  })
+
+  it('of time are in the frame, where one run took longer than all others together', () => {
+    const slow = rows.map((row, i) => ({ ...row, milliseconds: i < 10 ? 1000 : 0 }))
+    const { marks } = chart('time', chartsOf(settings, slow))
+    const greatest = Math.max(...marks.map(({ y }) => y))
+    expect(greatest).toBeGreaterThan(Math.max(...marks.map(({ high }) => high)))
+    const [, top] = Array.from(optionsOf('time', slow).y?.domain ?? [])
+    expect(top).toBeGreaterThan(greatest)
+  })
+
+  it('of time are in the table by size, of sizes with as many cells too', () => {
+    const { columns, rows: lines } = chart('time').table
+    expect(columns).toEqual(['Planner', '10 × 10', '12 × 16', '16 × 12'])
+    const other = rows.map((row) => ({ ...row, milliseconds: row.width }))
+    for (const line of chart('time', chartsOf(settings, other)).table.rows) {
+      expect(line.slice(1)).toEqual(['10 ms', '12 ms', '16 ms'])
+    }
+    expect(lines).toHaveLength(countWork(settings).settings)
+  })
+
   it('of time lie above zero, where a logarithmic axis has them, even if no clock ticked', () => {
     const still = rows.map((row) => ({ ...row, milliseconds: 0 }))
     const { marks } = chart('time', chartsOf(settings, still))
-    expect(marks).toHaveLength(2 * countWork(settings).settings)
+    expect(marks).toHaveLength(3 * countWork(settings).settings)
     for (const { y, low, high } of marks) expect(Math.min(y, low, high)).toBeGreaterThan(0)
   })
 

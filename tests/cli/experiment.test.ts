@@ -1,6 +1,8 @@
 import { existsSync, writeFileSync } from 'node:fs'
+import { pathToFileURL } from 'node:url'
 import { describe, expect, test } from 'vitest'
-import { openResults, runMap } from '../../src/index'
+import { runMaps } from '../../src/cli/pool'
+import { openResults, readSettings, runMap } from '../../src/index'
 import { timeless } from '../experiments/settings'
 import { pathOf, run, runUntil, settingsFile, textOf, timelessText, useProgram } from './program'
 
@@ -91,6 +93,23 @@ describe('an output file with something else in it is refused and left as it is'
     return stderr
   }
 
+  test('a folder', () => {
+    const { status, stderr } = run(settingsFile('small.json'), '--out', 'dist-lib')
+    expect([status, stderr]).toEqual([1, 'dist-lib is no file.\n'])
+  })
+
+  test('by a merge, too; the rows of the same maps are written anew', () => {
+    const small = settingsFile('small.json')
+    run(small, '--out', 'whole.jsonl')
+    const text = textOf('whole.jsonl')
+    expect(refuse(small, '--merge', 'whole.jsonl')).toContain('has no rows of an experiment in it')
+    run(settingsFile('other.json', { seed: 8 }), '--out', 'others.jsonl')
+    expect(refuse('others.jsonl', '--merge', 'whole.jsonl')).toContain('has rows of other settings')
+    run(small, '--out', 'again.jsonl')
+    expect(run('--merge', 'whole.jsonl', '--out', 'again.jsonl').status).toBe(0)
+    expect(textOf('again.jsonl')).toBe(text)
+  })
+
   test('rows of other settings, of another shard', () => {
     const small = settingsFile('small.json')
     run(small, '--shard', '1/2', '--out', 'half.jsonl')
@@ -140,6 +159,21 @@ describe('shards are only merged', () => {
     writeFileSync(pathOf('empty.jsonl'), '')
     expect(fault(a, 'empty.jsonl')).toContain('empty.jsonl is empty.')
   })
+})
+
+test('what cannot be written ends a run, and of a merge nothing is left', async () => {
+  const settings = readSettings(textOf(settingsFile('small.json')))
+  const program = pathToFileURL(pathOf('dist-lib/experiment.js'))
+  const signal = new AbortController().signal
+  const job = { settings, maps: { first: 0, end: 30 }, workers: 2, program, signal }
+  const isFull = () => {
+    throw new Error('no space left on device')
+  }
+  await expect(runMaps(job, isFull)).rejects.toThrow('no space left on device')
+
+  run('small.json', '--out', 'whole.jsonl')
+  expect(run('--merge', 'whole.jsonl', '--out', '').status).toBe(1)
+  expect(existsSync(pathOf('.part'))).toBe(false)
 })
 
 describe('what cannot be run is told before anything is', () => {

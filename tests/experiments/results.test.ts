@@ -51,6 +51,24 @@ describe.each(Object.entries(FORMATS))('%s', (_, write) => {
   })
 })
 
+describe('rows that are not those of the settings are refused', () => {
+  const [first, second] = rows
+  test.each([
+    ['there twice', [first, first], 'Row 1 is out of place'],
+    ['in another order', [second, first], 'Row 1 is out of place'],
+    ['of another setting', [{ ...first, setting: 99 }], 'Row 0 is of map 0 and of decomposition'],
+    ['of another planner', [{ ...first, planner: 'x' }], 'Row 0 is of map 0 and of x as planner'],
+    ['of another map', [{ ...first, map: 30 }], 'Row 0 is of map 30'],
+    ['a list', [[]], 'Row 0 is no row of results: [].'],
+    ['with too much', [{ ...first, more: 1 }], 'there is no field "more"'],
+    ['with too little', [{ ...first, status: undefined }], '"status" is missing'],
+  ])('%s', (_, list, message) => {
+    const text = JSON.stringify({ ...JSON.parse(resultsToJson(results)), rows: list })
+    expect(() => openResults(text)).toThrow(InputError)
+    expect(() => openResults(text)).toThrow(message)
+  })
+})
+
 test('CSV has the settings in a comment, the names of the columns, and a line a row', () => {
   const [comment, names, first, ...others] = resultsToCsv(results).split('\n')
   expect(JSON.parse(comment.slice(2)).settings).toEqual(settings)

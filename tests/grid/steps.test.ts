@@ -55,8 +55,13 @@ test('all legal steps of a map are those of each free cell, and none from an obs
   )
 })
 
-test('all legal steps are those of the map as it is now, whichever was asked about before', () => {
-  const grid = { width: 40, height: 30, walls: new Uint8Array(1200) }
+test.each([
+  ['an array', new Uint8Array(1200)],
+  ['an array that begins within a word', new Uint8Array(1203).subarray(3)],
+  ['an array of shared memory', new Uint8Array(new SharedArrayBuffer(1200))],
+  ['a Buffer', Buffer.alloc(1200)],
+])('all legal steps are those of the map as it is now, whichever was before, in %s', (_, walls) => {
+  const grid = { width: 40, height: 30, walls }
   const one = (rule: DiagonalRule) =>
     Array.from(grid.walls, (wall, cell) =>
       wall ? 0 : legalSteps(rule, obstaclesAround(grid, cell)),

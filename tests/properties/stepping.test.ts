@@ -57,6 +57,11 @@ test('every step has its reason, and the last one is a landmark', { timeout: LON
           /^[A-Z(\d].*\.$/.test(sentence) && !/undefined|NaN/.test(sentence),
           () => `${name}: step ${i} is explained as "${sentence}"`,
         )
+        // What is marked in the pseudocode is what the sentence tells.
+        must(
+          tape.line(steps[i - 1]) === tape.line(steps[i] - 1),
+          () => `${name}: step ${i} begins and ends in different lines`,
+        )
       }
       must(tape.kind(tape.length - 1) === EVENT.end, () => `${name}: no end on the tape`)
       must(landmarksOf(tape, steps).at(-1) === tape.length, () => `${name}: the end is no landmark`)

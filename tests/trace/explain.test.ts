@@ -57,10 +57,55 @@ test('with memory it climbs, too', () => {
   expect(sentences).toContain('Step to (6, 3), at the same potential of 80.')
 })
 
+test('a hit point is named by where the rover is, not by the obstacle', () => {
+  expect(told(maps.fig11, 'bug2')).toContain(
+    '(4, 12) is an obstacle: hit point 1 at (4, 13), follow the boundary with the obstacle on the left.',
+  )
+})
+
+test.each(['left', 'right'])('an obstacle ahead is kept on the %s only from then on', (turn) => {
+  const corners = `
+    ..###...
+    ....#...
+    ....#...
+    S...#..G
+    ....#...
+    ....#...
+    ..###...
+  `
+  const y = (row: number) => (turn === 'left' ? row : 6 - row)
+  expect(told(corners, 'bug2', { turn })).toEqual(
+    expect.arrayContaining([
+      `Step to (3, ${y(4)}), keeping (4, ${y(4)}) on the ${turn}.`,
+      `Step to (3, ${y(5)}), where (3, ${y(6)}) is in the way: it is kept on the ${turn} from now on.`,
+      `Step to (2, ${y(5)}), keeping (2, ${y(6)}) on the ${turn}.`,
+    ]),
+  )
+})
+
 test('Bug1 says which cell it goes back to', () => {
   expect(told(maps.fig11, 'bug1')).toContain(
     'Head back for (4, 3), of this boundary the nearest to the goal: distance 3.',
   )
+})
+
+test('Bug1 has the obstacle on its other side where it goes back the way that it came', () => {
+  const tape = new Tape()
+  plan(problemFromText(maps.fig11), 'bug1', { tape })
+  const steps = Array.from(stepsOf(tape))
+  const turnAt = (sentence: string, after: number) => {
+    const frames = steps.map((time) => frameAt(tape, time)).slice(after)
+    const at = frames.findIndex(
+      (frame, i) => explain(tape, steps[after + i - 1], frame, []) === sentence,
+    )
+    return frames[at].turn
+  }
+  const [left, right] = [0, 1]
+  expect(turnAt('Step to (5, 11), along the boundary to (4, 10).', 1)).toBe(left)
+  expect(
+    turnAt('Head back for (4, 3), of this boundary the nearest to the goal: distance 3.', 1),
+  ).toBe(left)
+  expect(turnAt('Step to (2, 6), along the boundary to (4, 3).', 1)).toBe(right)
 })
 
 test('Bug2 says where on its m-line it is again', () => {
@@ -76,6 +121,9 @@ test('Tangent Bug says what a node has over the others', () => {
     'Head for (4, 12), of the nodes the one with the shortest way over it to the goal: 14 steps.',
   )
   const classic = told(maps.fig12, 'tangent-bug', { variant: 'classic', range: 2 })
+  expect(classic).toContain(
+    'Head for (6, 2): 11 steps over it to the goal, the fewest of the nodes that are nearer to it than all targets reached before.',
+  )
   const left = classic.findIndex((sentence) => sentence.startsWith('Leave'))
   expect(classic[left + 1]).toMatch(
     /^Head for .*, of the places in reach the nearest to the goal\.$/,

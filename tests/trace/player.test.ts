@@ -78,6 +78,7 @@ function picture(list: readonly Event[]): Frame {
     }),
     vertices: Int32Array.from(cells(EVENT.vertex)),
     edges: Int32Array.from(all(EVENT.edge).flatMap((e) => [e.cell, e.other])),
+    edgesCut: all(EVENT.cut).length > 0,
     mLine: cells(EVENT.mLine),
     hits: cells(EVENT.hit),
     leaves: cells(EVENT.leave),
@@ -166,6 +167,11 @@ describe('a player', () => {
       }),
       { numRuns: 500 },
     )
+  })
+
+  test.each([0.5, Number.NaN])('has no moment %d', (time) => {
+    const player = new Player(tapeOf([]))
+    expect(() => player.moveTo(time)).toThrow(`The moment ${time} is not a whole number.`)
   })
 
   test('comes to a moment a little at a time, and may be called elsewhere on the way', () => {

@@ -1,7 +1,9 @@
-import { describe, expect, test } from 'vitest'
+import { describe, expect, test, vi } from 'vitest'
 import { maps } from '../../src/app/scenarios/scenario-maps'
 import { EVENT, InputError, planners, problemFromText, Tape } from '../../src/index'
 import { posthocTrace } from '../../src/trace/posthoc'
+import { leastLength } from '../../src/trace/posthoc-length'
+import { PosthocLines } from '../../src/trace/posthoc-lines'
 import { checkedTrace } from './posthoc-checks'
 import { infoOf, type Trace, wayTo } from './posthoc-trace'
 
@@ -17,6 +19,18 @@ describe('a tape that is too long', () => {
     expect(save).toThrow(InputError)
     expect(save).toThrow('too long for a file: more than 2 million characters')
     expect(() => posthocTrace(new Tape(), info, 10)).toThrow(InputError)
+  })
+
+  test('is refused before it is written, if that can be told from its events', () => {
+    const closing = new Tape()
+    closing.begin(3, 2)
+    for (let i = 0; i < 20_000; i++) closing.write(EVENT.close, i % 6, 0, 0)
+    const begin = vi.spyOn(PosthocLines.prototype, 'begin')
+    expect(() => posthocTrace(closing, info, 2_000_000)).toThrow('more than 2 million characters')
+    expect(begin).not.toHaveBeenCalled()
+    posthocTrace(closing, info, 4_000_000)
+    expect(begin).toHaveBeenCalled()
+    begin.mockRestore()
   })
 
   test('else all of it is in the trace', () => {
@@ -46,7 +60,12 @@ describe('figures of the report', () => {
   )
 
   test.each(cases)('%s', (_, text, planner) => {
-    checkedTrace(problemFromText(text), planner, new Tape())
+    const tape = new Tape()
+    const problem = problemFromText(text)
+    checkedTrace(problem, planner, tape)
+    const trace = posthocTrace(tape, infoOf(planner, problem))
+    const events = trace.slice(trace.indexOf('"events":'))
+    expect(leastLength(tape)).toBeLessThanOrEqual(events.length)
   })
 
   test('the way back to the start of a search is its path', () => {

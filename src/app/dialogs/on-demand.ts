@@ -1,9 +1,8 @@
+import { messageOf } from '../../grid/errors'
+import { fetchedPart } from '../fetched-part'
 import { tell } from '../state/messages'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
-
-const MISSING =
-  'This part of the page could not be loaded. It is there again once its server can be reached.'
 
 /** What opens the dialogs; each is loaded when it is opened first. */
 export const dialogsOf = (store: Store<State>) => ({
@@ -26,9 +25,9 @@ function onDemand(store: Store<State>, load: () => Promise<() => void>): () => v
   const loadAndOpen = async () => {
     isLoading = true
     try {
-      open = await load()
-    } catch {
-      store.update((state) => tell(state, 'error', MISSING))
+      open = await fetchedPart(load())
+    } catch (error) {
+      store.update((state) => tell(state, 'error', messageOf(error)))
     }
     isLoading = false
     open?.()

@@ -2,7 +2,7 @@ import type { Mark } from '../../charts/chart'
 import { chartsOf } from '../../charts/charts'
 import { chartThemes } from '../../charts/style'
 import type { Results } from '../../experiments/results'
-import { numberInWords } from '../words/numbers'
+import { countInWords } from '../words/numbers'
 import { type ChartCard, chartCard } from './chart-card'
 
 export interface ChartsEvents {
@@ -20,7 +20,7 @@ export class ChartsPanel {
   #width = 0
 
   constructor(container: HTMLElement, { settings, rows }: Results, events: ChartsEvents) {
-    const note = `Path Planner, seed ${settings.seed}, ${numberInWords(rows.length)} runs`
+    const note = `Path Planner, seed ${settings.seed}, ${countInWords(rows.length, 'run')}`
     this.#cards = chartsOf(settings, rows).map((chart) => chartCard(chart, note, events))
     this.#container = container
     container.replaceChildren(...this.#cards.map(({ element }) => element))

@@ -3,10 +3,11 @@ import { resultsToCsv } from '../../experiments/results-csv'
 import { resultsToJson } from '../../experiments/results-json'
 import { messageOf } from '../../grid/errors'
 import { byId, setText } from '../element'
+import { fetchedPart } from '../fetched-part'
 import { download } from '../files/download'
 import { tell } from '../state/messages'
 import type { Store } from '../state/store'
-import { numberInWords } from '../words/numbers'
+import { countInWords, numberInWords } from '../words/numbers'
 import type { ChartsPanel } from './charts-panel'
 import { showSummary } from './results-table'
 import { runsDialog } from './runs-dialog'
@@ -43,10 +44,10 @@ export function resultsPanel(store: Store<PageState>): (state: PageState, isDark
 }
 
 function aboutInWords({ maps, total, results: { settings, shard, rows } }: Shown): string {
-  const [m, t, r] = [maps, total, rows.length].map(numberInWords)
-  const part = maps < total ? `The first ${m} of ${t} maps` : `${t} maps`
+  const all = countInWords(total, 'map')
+  const part = maps < total ? `The first ${numberInWords(maps)} of ${all}` : all
   const whose = shard.of > 1 ? ` of shard ${shard.index}/${shard.of}` : ''
-  return `${part}${whose}, ${r} runs, seed ${settings.seed}.`
+  return `${part}${whose}, ${countInWords(rows.length, 'run')}, seed ${settings.seed}.`
 }
 
 /** The charts, and the library that draws them, are loaded with the first results. */
@@ -57,7 +58,7 @@ function lazyCharts(store: Store<PageState>, opened: (shown: Shown, mark: Mark) 
 
   const load = async (shown: Shown, isDark: boolean) => {
     try {
-      const { ChartsPanel } = await import('./charts-panel')
+      const { ChartsPanel } = await fetchedPart(import('./charts-panel'))
       if (store.state.shown !== shown) return
       panel?.charts.dispose()
       const charts = new ChartsPanel(container, shown.results, {

@@ -1,6 +1,6 @@
 import { countWork } from '../../experiments/settings'
 import { byId, setText } from '../element'
-import { numberInWords } from '../words/numbers'
+import { countInWords } from '../words/numbers'
 import type { PageState } from './state'
 import { progressInWords } from './transitions'
 
@@ -43,6 +43,6 @@ export function runCard(events: RunCardEvents): (state: PageState) => void {
 function amountInWords({ checked }: PageState): string {
   if (checked.kind === 'fault') return 'The settings have a mistake; it is marked.'
   const { maps, settings, runs } = countWork(checked.settings)
-  const [m, s, r] = [maps, settings, runs].map(numberInWords)
-  return `${m} maps × ${s} planner settings = ${r} runs`
+  const each = countInWords(settings, 'planner setting')
+  return `${countInWords(maps, 'map')} × ${each} = ${countInWords(runs, 'run')}`
 }

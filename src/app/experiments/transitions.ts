@@ -10,7 +10,7 @@ import {
 import { rangeOfShard } from '../../experiments/shards'
 import { groupBy } from '../../experiments/summary/groups'
 import { durationInWords } from '../../experiments/time-left'
-import { numberInWords } from '../words/numbers'
+import { countInWords, numberInWords } from '../words/numbers'
 import { type Draft, draftOf, type Entry, type List, newEntry } from './draft'
 import { checkDraft } from './faults'
 import type { PageState, Run } from './state'
@@ -70,7 +70,7 @@ const withEntry = (
 export const runStarted = (state: PageState, total: number): PageState => ({
   ...state,
   run: { kind: 'running', done: 0, total, left: null },
-  said: `Running ${numberInWords(total)} maps.`,
+  said: `Running ${countInWords(total, 'map')}.`,
 })
 
 export function runProgressed(state: PageState, done: number, left: number | null): PageState {
@@ -84,7 +84,7 @@ export function runProgressed(state: PageState, done: number, left: number | nul
 
 /** "1,200 of 10,000 maps, 3 min 20 s left". */
 export function progressInWords({ done, total, left }: Extract<Run, { kind: 'running' }>): string {
-  const maps = `${numberInWords(done)} of ${numberInWords(total)} maps`
+  const maps = `${numberInWords(done)} of ${countInWords(total, 'map')}`
   return left === null ? maps : `${maps}, ${durationInWords(left)} left`
 }
 
@@ -93,7 +93,7 @@ export function showResults(state: PageState, results: Results): PageState {
   const { maps: all, settings } = countWork(results.settings)
   const { first, end } = rangeOfShard(results.shard, all)
   const maps = Math.floor(results.rows.length / settings)
-  const text = `Results of ${numberInWords(maps)} maps.`
+  const text = `Results of ${countInWords(maps, 'map')}.`
   return {
     ...state,
     shown: { results, maps, total: end - first },

@@ -1,6 +1,7 @@
 import { InputError, messageOf } from '../../grid/errors'
 import type { Problem } from '../../grid/problem'
 import { byId } from '../element'
+import { fetchedPart } from '../fetched-part'
 import { tell } from '../state/messages'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
@@ -11,8 +12,11 @@ import { onFileDropped } from './drop-zone'
 /** More than any map needs; a larger file is not even read. */
 const MOST_BYTES = 64 * 2 ** 20
 
-/** Opens the map in a file. If that fails, a message says why, and the map on screen stays. */
-async function openFile(store: Store<State>, file: File): Promise<void> {
+/**
+ * Opens the map in a file. If that fails, a message says why, and the map on screen stays.
+ * @param isWanted whether no other file was asked for while this one was read
+ */
+async function openFile(store: Store<State>, file: File, isWanted: () => boolean): Promise<void> {
   try {
     if (file.size > MOST_BYTES) {
       const size = Math.round(file.size / 2 ** 20)
@@ -20,8 +24,10 @@ async function openFile(store: Store<State>, file: File): Promise<void> {
         `It has ${size} MB, more than the ${MOST_BYTES / 2 ** 20} MB of any map.`,
       )
     }
-    const { openMap } = await import('../../grid/formats/open-map')
-    const { problem, notes } = openMap(await file.text())
+    const { openMap } = await fetchedPart(import('../../grid/formats/open-map'))
+    const text = await file.text()
+    if (!isWanted()) return
+    const { problem, notes } = openMap(text)
     const { width, height } = problem.grid
     const opened = `Opened ${file.name}: ${width} × ${height} cells.`
     store.update((state) => {
@@ -29,6 +35,7 @@ async function openFile(store: Store<State>, file: File): Promise<void> {
       return tell(changed, 'note', [opened, ...notes, ...ruleNote(state, problem)].join(' '))
     })
   } catch (error) {
+    if (!isWanted()) return
     store.update((state) =>
       tell(state, 'error', `${file.name} was not opened. ${messageOf(error)}`),
     )
@@ -45,8 +52,11 @@ function ruleNote({ setup }: State, { diagonal }: Problem): string[] {
 export function bindFiles(store: Store<State>): () => void {
   const input = byId('file', HTMLInputElement)
   const zone = byId('drop-zone', HTMLDivElement)
+  let latest: File | null = null
   const open = (file: File | undefined) => {
-    if (file) void openFile(store, file)
+    if (!file) return
+    latest = file
+    void openFile(store, file, () => file === latest)
   }
   input.addEventListener('change', () => {
     open(input.files?.[0])

@@ -2,6 +2,7 @@ import { messageOf } from '../../grid/errors'
 import type { Grid } from '../../grid/grid'
 import type { Problem } from '../../grid/problem'
 import type { Scene } from '../../render/scene'
+import { fetchedPart } from '../fetched-part'
 import { tell } from '../state/messages'
 import { plannerOf } from '../state/setup'
 import { type State, visiblePlan } from '../state/state'
@@ -19,12 +20,12 @@ interface Saved {
 const nameOf = ({ width, height }: Grid): string => `path-planner-${width}x${height}`
 
 async function projectFile({ setup: { problem } }: State): Promise<Saved> {
-  const { saveProject } = await import('../../grid/formats/project-file')
+  const { saveProject } = await fetchedPart(import('../../grid/formats/project-file'))
   return { name: `${nameOf(problem.grid)}.json`, content: saveProject(problem) }
 }
 
 async function mapFile({ grid }: Problem): Promise<Saved> {
-  const { movingAiMap } = await import('../../grid/formats/movingai')
+  const { movingAiMap } = await fetchedPart(import('../../grid/formats/movingai'))
   return { name: `${nameOf(grid)}.map`, content: movingAiMap(grid) }
 }
 
@@ -32,7 +33,7 @@ async function mapFile({ grid }: Problem): Promise<Saved> {
 async function traceFiles(state: State): Promise<Saved[]> {
   const shown = visiblePlan(state)
   if (!shown) throw new Error('There is no plan on screen.')
-  const { posthocTrace } = await import('../../trace/posthoc')
+  const { posthocTrace } = await fetchedPart(import('../../trace/posthoc'))
   const { setup, tape } = shown
   const { id, title, phases, variables } = plannerOf(setup)
   const { problem } = setup
@@ -43,7 +44,7 @@ async function traceFiles(state: State): Promise<Saved[]> {
 }
 
 async function pictureFile({ setup }: State, scene: Scene, kind: 'png' | 'svg'): Promise<Saved> {
-  const { pictureAsPng, pictureAsSvg } = await import('../../render/export')
+  const { pictureAsPng, pictureAsSvg } = await fetchedPart(import('../../render/export'))
   const name = `${nameOf(setup.problem.grid)}-${setup.plannerId}.${kind}`
   const asMap = { ...scene, cursor: -1, hovered: -1 }
   const content = kind === 'png' ? await pictureAsPng(asMap) : pictureAsSvg(asMap)

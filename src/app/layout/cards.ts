@@ -54,9 +54,18 @@ export class Cards {
   /** What is covered of the window, in CSS pixels. */
   rects(): Rect[] {
     return this.#covers
-      .map((cover) => cover.getBoundingClientRect())
+      .map((cover) => this.#rectOf(cover))
       .filter(({ width, height }) => width > 0 && height > 0)
-      .map(({ left, top, width, height }) => ({ left, top, width, height }))
+  }
+
+  /** What is seen of a cover: the cards at the bottom of a narrow window scroll if it is low. */
+  #rectOf(cover: HTMLElement): Rect {
+    const { left, top, width, bottom } = cover.getBoundingClientRect()
+    const scrolls = this.#narrow.matches && 'card' in cover.dataset
+    const sheet = scrolls ? cover.closest('[data-sheet]')?.getBoundingClientRect() : undefined
+    const seenFrom = Math.max(top, sheet?.top ?? top)
+    const seenTo = Math.min(bottom, sheet?.bottom ?? bottom)
+    return { left, top: seenFrom, width, height: seenTo - seenFrom }
   }
 
   /** Brings cards that were moved back into a window that has become smaller. */
@@ -71,7 +80,9 @@ export class Cards {
     fold?.addEventListener('click', () => {
       const isOpen = fold.getAttribute('aria-expanded') === 'true'
       this.#fold(card, isOpen)
-      if (!isOpen && this.#narrow.matches) this.#foldOthers(card)
+      if (isOpen || !this.#narrow.matches) return
+      this.#foldOthers(card)
+      card.scrollIntoView({ block: 'nearest' })
     })
     // A finger hits the whole bar more easily than the button at its end.
     grip?.addEventListener('click', ({ target }) => {

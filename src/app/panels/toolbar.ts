@@ -22,10 +22,10 @@ export function toolbar(store: Store<State>, openHelp: () => void): (state: Stat
   )
   byId('help', HTMLButtonElement).addEventListener('click', openHelp)
 
-  return ({ history, setup, committed, pathHidden, preferences }) => {
+  return ({ history, setup, committed, pathHidden, clearPathUndone, preferences }) => {
     // `aria-disabled` keeps the focus where it is when the last step was undone.
     setDisabled(undoButton, history.past.length === 0 && setup === committed && !pathHidden)
-    setDisabled(redoButton, history.future.length === 0)
+    setDisabled(redoButton, history.future.length === 0 && !clearPathUndone)
     showTheme(preferences.theme)
   }
 }

@@ -54,6 +54,8 @@ export interface State extends WithMessages {
   readonly run: Run
   /** "Clear path": no plan is drawn until the next edit. */
   readonly pathHidden: boolean
+  /** "Clear path" was undone just now: the next redo does it again. */
+  readonly clearPathUndone: boolean
   /** How many events of the plan have happened, or `THE_END`. */
   readonly time: number
   /** How the plan is being played; `null` while it is not. */
@@ -88,6 +90,7 @@ export function initialState(setup: Setup, preferences: Preferences): State {
     shown: null,
     run: { kind: 'settled' },
     pathHidden: false,
+    clearPathUndone: false,
     time: THE_END,
     playing: null,
     kept: null,

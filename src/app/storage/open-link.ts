@@ -27,11 +27,11 @@ export function openLink(state: State, hash: string): State {
 export function bindLink(store: Store<State>): (setup: Setup) => boolean {
   let linked: Setup | null = null
   const open = () => {
-    const before = store.state.setup
-    store.update((state) => openLink(state, window.location.hash))
-    const { setup } = store.state
-    if (setup !== before) linked = setup
-    else forget()
+    const opened = openLink(store.state, window.location.hash)
+    // Before the state changes: whoever hears of that asks whether the setup is a link's.
+    linked = opened.setup === store.state.setup ? null : opened.setup
+    store.update(() => opened)
+    if (!linked) forget()
   }
   const forget = () => {
     linked = null

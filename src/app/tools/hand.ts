@@ -33,6 +33,10 @@ export class Hand {
 
   constructor(store: Store<State>) {
     this.#store = store
+    // Something else was changed, as by a file that has been read: a stroke does not go on upon it.
+    store.subscribe((now, before) => {
+      if (now.committed !== before.committed) this.#tool = null
+    })
   }
 
   get isBusy(): boolean {

@@ -21,7 +21,7 @@ export function cellFactsInWords({ shown, frame }: Moment, problem: Problem, cel
   const facts = cellFacts(shown.tape, frame, cell)
   const parts = [
     ...marks(facts),
-    ...search(facts, shown.tape.width, problem.grid.walls[cell] === 1),
+    ...search(facts, shown.tape.width, problem.grid.walls[cell] === 1, frame.edgesCut),
     ...fields(facts),
     ...rover(facts),
   ]
@@ -38,9 +38,10 @@ function marks({ hits, leaves, onMLine, onPath }: CellFacts): string[] {
   ]
 }
 
-function search(facts: CellFacts, width: number, isObstacle: boolean): string[] {
+function search(facts: CellFacts, width: number, isObstacle: boolean, edgesCut: boolean): string[] {
   const { isVertex, edges, search, cost, parent } = facts
-  const degree = edges > 0 ? ` with ${countInWords(edges, 'edge')}` : ''
+  const shown = `${edgesCut ? 'at least ' : ''}${countInWords(edges, 'edge')}`
+  const degree = edges > 0 ? ` with ${shown}` : ''
   const way = parent === null || parent < 0 ? '' : ` by way of ${cellName(width, parent)}`
   return [
     ...(isVertex && !isObstacle ? [`vertex${degree}`] : []),

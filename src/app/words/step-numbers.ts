@@ -38,7 +38,8 @@ export function stepNumbers({ shown, frame }: Moment): Row[] {
   if (last.rows > 0) row('Rows of the graph', numberInWords(frame.rows))
   if (last.vertices.length > 0) {
     row('Vertices', numberInWords(frame.vertices.length))
-    row('Edges', numberInWords(frame.edges.length / 2))
+    const edges = numberInWords(frame.edges.length / 2)
+    row('Edges', frame.edgesCut ? `more than ${edges}` : edges)
   }
   if (last.open + last.closed > 0) {
     row('Cost', frame.open + frame.closed > 0 ? numberInWords(frame.cost) : YET_UNKNOWN)

@@ -100,7 +100,7 @@ describe('the table', () => {
     expect([0.0123, 0.0994, 0.0996, 12].map(medianInWords)).toEqual([
       '12 µs',
       '99 µs',
-      'less than 0.1 ms',
+      '100 µs',
       '12 ms',
     ])
   })

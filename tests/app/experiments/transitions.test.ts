@@ -50,6 +50,13 @@ describe('the state of the page', () => {
     expect(running.run).toMatchObject({ done: 100, total: 100 })
   })
 
+  it('is told of one map as of one', () => {
+    expect(runStarted(state, 1).said).toBe('Running 1 map.')
+    const perMap = countWork(settings).settings
+    const ended = runEnded(runStarted(state, 1), { ...results, rows: rows.slice(0, perMap) })
+    expect(ended.said).toBe('Results of 1 map.')
+  })
+
   it('keeps the first maps of a run that was cancelled', () => {
     const running = runStarted(state, countWork(settings).maps)
     const perMap = countWork(settings).settings

@@ -179,6 +179,15 @@ describe('a plan', () => {
     expect(back).toMatchObject({ setup: drawn.setup, history: drawn.history })
     expect(undo(back).setup).toEqual(begin.setup)
   })
+
+  it('is hidden again by redo, unless there was an edit since', () => {
+    const shownAgain = undo(hidePath(planArrived(running, shown)))
+    const hidden = redo(shownAgain)
+    expect(visiblePlan(hidden)).toBeNull()
+    expect(visiblePlan(undo(hidden))).toBe(shown)
+    const edited = change(shownAgain, moved(shownAgain, 9), 'Moved.')
+    expect(redo(edited).pathHidden).toBe(false)
+  })
 })
 
 describe('messages', () => {

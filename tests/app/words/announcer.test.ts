@@ -109,7 +109,7 @@ describe('steps', () => {
   })
 
   it('are said by landmarks', () => {
-    expect(saidAfter(landmark, start)).toMatch(/hit point 1, follow the boundary/)
+    expect(saidAfter(landmark, start)).toMatch(/hit point 1 at .*, follow the boundary/)
   })
 
   it('of the scrubber are only said at landmarks, because it says the others itself', () => {

@@ -7,8 +7,8 @@ export const settings: ExperimentSettings = settingsWith({
     {
       planner: 'probabilistic-roadmap',
       params: {
-        search: ['dijkstra', 'a-star'],
         samples: [40, 5],
+        search: ['dijkstra', 'a-star'],
         cost: ['cells', 'euclidean'],
       },
     },

@@ -91,12 +91,11 @@ test('roadmaps: a curve for each search and cost, with points by increasing samp
     'search a-star, cost cells',
     'search a-star, cost euclidean',
   ])
+  const maps = new Set(rows.filter(({ reachable }) => reachable).map(({ map }) => map))
   for (const { points } of curves) {
     expect(points.map(({ samples }) => samples)).toEqual([5, 40])
     const [few, many] = points
-    // One run a map: the same maps twice would make the interval too narrow.
-    expect(few.success.rows.length).toBe(new Set(few.success.rows.map(({ map }) => map)).size)
-    expect(few.success.rows.length).toBe(many.success.rows.length)
+    for (const { success } of points) expect(success.rows).toHaveLength(maps.size)
     expect(few.success.rate).toBeLessThan(many.success.rate)
     expect(few.success.failures.every(({ params }) => params.samples === 5)).toBe(true)
     expect(many.milliseconds.median).toBeGreaterThan(0)

@@ -1,0 +1,87 @@
+import type { Locator, Page } from '@playwright/test'
+import { chooseFromMapMenu, unfold } from '../actions'
+import { expect, test } from '../fixtures'
+import { openScenario, playback, reasons, scrubber } from '../steps'
+
+const SIZES = [
+  { name: 'a phone held sideways', width: 844, height: 390 },
+  { name: 'a window zoomed to 200 %', width: 640, height: 400 },
+  { name: 'the smallest phone', width: 320, height: 568 },
+]
+
+/** Nothing lies over its middle, if need be once it has been scrolled to. */
+const expectInReach = (element: Locator) => element.click({ trial: true, timeout: 5_000 })
+
+/** Cards that stand one below the other, and lie on one another all the same. */
+async function overlaps(page: Page): Promise<string[]> {
+  return page.getByRole('main').evaluate((main) => {
+    const cards = Array.from(main.querySelectorAll('section'), (card) => {
+      const { left, right, top, bottom } = card.getBoundingClientRect()
+      return { name: card.id, left, right, top, bottom }
+    }).filter(({ name, top, bottom }) => name !== 'toolbar' && bottom > top)
+    return cards.flatMap((one, i) =>
+      cards
+        .slice(i + 1)
+        .filter(
+          (other) =>
+            Math.min(one.right, other.right) - Math.max(one.left, other.left) > 1 &&
+            Math.min(one.bottom, other.bottom) - Math.max(one.top, other.top) > 1,
+        )
+        .map((other) => `${one.name} and ${other.name}`),
+    )
+  })
+}
+
+async function expectPlaybackInReach(page: Page) {
+  await expectInReach(scrubber(page))
+  await expectInReach(playback(page).getByRole('button', { name: 'Step back' }))
+  await expectInReach(page.getByRole('combobox', { name: "Rover's view" }))
+  expect(await overlaps(page)).toEqual([])
+}
+
+for (const { name, ...size } of SIZES) {
+  test(`on ${name} all that a card holds can be reached`, async ({ page }) => {
+    await page.setViewportSize(size)
+    await openScenario(page, 'Fig. 11: Two obstacles, Bug2')
+    await expectPlaybackInReach(page)
+    await page.getByRole('button', { name: 'Map', exact: true }).click()
+    await expectInReach(page.getByRole('menuitem', { name: 'Experiments' }))
+    await page.keyboard.press('Escape')
+    await unfold(page, 'result')
+    await expectInReach(page.getByRole('rowheader', { name: 'Sensed' }))
+    await unfold(page, 'planner')
+    await expectInReach(page.getByLabel('Diagonal steps'))
+    const steps = page.getByRole('button', { name: 'Fold the card of steps' })
+    if ((await steps.getAttribute('aria-expanded')) === 'false') await steps.click()
+    await expectInReach(
+      reasons(page)
+        .getByText(/^The end at/)
+        .filter({ visible: true }),
+    )
+    await expectInReach(reasons(page).getByText(/^as soon as the goal is met/))
+    await expectPlaybackInReach(page)
+    await page.getByRole('button', { name: 'Compare planners' }).click()
+    const comparison = page.getByRole('region', { name: 'Comparison of planners' })
+    await expectInReach(comparison.getByLabel('Tangent Bug'))
+    await expectInReach(comparison.getByText('Ratio: steps of the path'))
+    await expectPlaybackInReach(page)
+  })
+}
+
+test('on the smallest phone nothing has to be moved sideways', async ({ page }) => {
+  await page.setViewportSize({ width: 320, height: 568 })
+  const bar = await page.getByRole('region', { name: 'Map and view' }).boundingBox()
+  expect(bar?.height, 'one row of buttons').toBeLessThan(60)
+  for (const [entry, title] of [
+    ['Scenarios…', 'Scenarios'],
+    ['Generate…', 'Generate a map'],
+    ['New…', 'New map'],
+  ]) {
+    await chooseFromMapMenu(page, entry)
+    const dialog = page.getByRole('dialog', { name: title })
+    await expect(dialog).toBeVisible()
+    const beyond = await dialog.evaluate((box) => box.scrollWidth - box.clientWidth)
+    expect(beyond, title).toBe(0)
+    await page.keyboard.press('Escape')
+  }
+})

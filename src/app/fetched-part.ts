@@ -1,0 +1,14 @@
+const MISSING =
+  'This part of the page could not be loaded. It is there again once its server can be reached.'
+
+/**
+ * A part of the page that is fetched when it is first needed.
+ * @throws Error in words for those who need it, where the browser's tell of addresses
+ */
+export async function fetchedPart<Part>(part: Promise<Part>): Promise<Part> {
+  try {
+    return await part
+  } catch {
+    throw new Error(MISSING)
+  }
+}
