@@ -1,3 +1,4 @@
+import { project } from '../../tests/grid/formats/sound-file'
 import { choosePlanner, dropFile, expectResult, openFile, openMap, saveMap } from '../actions'
 import { expect, test } from '../fixtures'
 
@@ -7,18 +8,6 @@ const ROWS = `
   .....#....
 `
 
-/** A sound file, with some of its keys changed. */
-const project = (some: object) =>
-  JSON.stringify({
-    format: 'path-planner',
-    version: 1,
-    diagonal: 'if-at-most-one-obstacle',
-    start: [0, 0],
-    goal: [2, 1],
-    rows: ['...', '...'],
-    ...some,
-  })
-
 const BAD_FILES: readonly (readonly [what: string, text: string, why: RegExp])[] = [
   ['empty', '', /The file is empty\./],
   [
@@ -26,11 +15,7 @@ const BAD_FILES: readonly (readonly [what: string, text: string, why: RegExp])[]
     '{\n  "format": "path-planner",\n  "version" 1\n}',
     /broken in line 3, column 13: expected ":", but found "1/,
   ],
-  [
-    'truncated',
-    project({}).slice(0, -20),
-    /broken in line 1, column \d+: expected .*, but it ends/,
-  ],
+  ['truncated', project().slice(0, -20), /broken in line 1, column \d+: expected .*, but it ends/],
   [
     'foreign',
     '<svg xmlns="http://www.w3.org/2000/svg"/>',

@@ -1,14 +1,12 @@
 import type { Page } from '@playwright/test'
 import { openResults } from '../../src/experiments/open-results'
 import { resultsToLines } from '../../src/experiments/results-json'
-import type { Row } from '../../src/experiments/row'
 import { runMap } from '../../src/experiments/run-map'
 import { countWork } from '../../src/experiments/settings'
 import { readSettings } from '../../src/experiments/settings-check'
+import { timeless } from '../../tests/experiments/settings'
 import { ExperimentsPage, SMALL } from '../experiments'
 import { expect, test } from '../fixtures'
-
-const timeless = (rows: readonly Row[]) => rows.map(({ milliseconds: _, ...row }) => row)
 
 const MANY = { ...SMALL, mapsPerCombination: 3000 }
 

@@ -37,10 +37,7 @@ export function freeSteps(rover: Rover, to: Point, most = Number.POSITIVE_INFINI
     if (!isIn(rover.legalSteps(place), direction)) return steps
     place = stepped(place, direction)
   }
-  return Math.min(
-    most,
-    Math.max(Math.abs(to.x - rover.position.x), Math.abs(to.y - rover.position.y)),
-  )
+  return Math.min(most, distance(rover.position, to))
 }
 
 /** Called with place after place. It is the same object each time: who keeps it makes a copy. */

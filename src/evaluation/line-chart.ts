@@ -1,5 +1,5 @@
 import { linearScale, type Scale } from './scale'
-import { document, element, FAINT, type Frame, line, px, STYLES, text } from './svg'
+import { document, element, FAINT, line, px, STYLES, text } from './svg'
 
 export interface LinePoint {
   readonly x: number
@@ -31,7 +31,7 @@ export const successAxis: Axis = {
 
 const WIDTH = 760
 const HEIGHT = 400
-const FRAME: Frame = { left: 64, top: 16, width: 440, height: 320 }
+const FRAME = { left: 64, top: 16, width: 440, height: 320 } as const
 
 /** Lines with intervals, and their names beside them. */
 export function lineChart(title: string, x: Axis, y: Axis, lines: readonly Line[]): string {

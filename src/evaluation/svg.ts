@@ -6,13 +6,6 @@ export interface Figure {
   readonly svg: string
 }
 
-export interface Frame {
-  readonly left: number
-  readonly top: number
-  readonly width: number
-  readonly height: number
-}
-
 /** Colours that can be told apart without seeing red or green (Okabe and Ito), and line styles. */
 export const STYLES = [
   { colour: '#0072b2', dash: '' },

@@ -2,6 +2,7 @@ import * as v from 'valibot'
 import { InputError } from '../grid/errors'
 import { describe } from '../grid/excerpt'
 import { MAX_SIDE, MIN_SIDE } from '../grid/grid'
+import { SIDE_IN_WORDS } from '../grid/problem'
 import { MAX_SEED } from '../grid/random'
 import { DIAGONAL_RULES } from '../grid/steps'
 import { type ExperimentSettings, MAX_RUNS, SETTINGS_FORMAT, SETTINGS_VERSION } from './settings'
@@ -37,7 +38,7 @@ const valueLists = <T>(value: v.GenericSchema<unknown, T>) =>
     {},
   )
 
-const side = whole(MIN_SIDE, MAX_SIDE, `a whole number from ${MIN_SIDE} to ${MAX_SIDE}`)
+const side = whole(MIN_SIDE, MAX_SIDE, SIDE_IN_WORDS)
 const givenMap = v.strictObject(
   { name: v.string(WHAT.name), rows: v.array(v.string('a text'), WHAT.rows) },
   'an object with a name and rows',

@@ -12,6 +12,9 @@ export interface Problem {
   readonly diagonal: DiagonalRule
 }
 
+/** What a side of a map must be, for messages. */
+export const SIDE_IN_WORDS = `a whole number from ${MIN_SIDE} to ${MAX_SIDE}`
+
 /** @throws InputError if a side is not a whole number from 2 to 2048. */
 export function checkSize(width: number, height: number): void {
   for (const [side, size] of [
@@ -19,9 +22,7 @@ export function checkSize(width: number, height: number): void {
     ['height', height],
   ] as const) {
     if (!Number.isInteger(size) || size < MIN_SIDE || size > MAX_SIDE) {
-      throw new InputError(
-        `The map's ${side} is ${size}: it must be a whole number from ${MIN_SIDE} to ${MAX_SIDE}.`,
-      )
+      throw new InputError(`The map's ${side} is ${size}: it must be ${SIDE_IN_WORDS}.`)
     }
   }
 }

@@ -75,6 +75,5 @@ export function simplestPath(width: number, from: Cell, to: Cell): Int32Array {
 export function indexOnSimplestPath(from: Point, to: Point, point: Point): number {
   const i = distance(from, point)
   const along = (a: number, b: number) => a + Math.sign(b - a) * Math.min(i, Math.abs(b - a))
-  const on = point.x === along(from.x, to.x) && point.y === along(from.y, to.y)
-  return on && i <= distance(from, to) ? i : -1
+  return point.x === along(from.x, to.x) && point.y === along(from.y, to.y) ? i : -1
 }

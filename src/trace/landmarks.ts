@@ -27,11 +27,11 @@ const isLandmark = kindTable([
   EVENT.end,
 ])
 
-/** Whether the event begins a step of its own. */
+/** Whether the event, which is not the first, begins a step of its own. */
 function beginsStep(tape: Tape, i: number): boolean {
   const kind = tape.kind(i)
   if (isAttached[kind]) return false
-  if (isRun[kind]) return i === 0 || tape.kind(i - 1) !== kind
+  if (isRun[kind]) return tape.kind(i - 1) !== kind
   return !isField[kind] || tape.cell(i) % tape.width === 0
 }
 

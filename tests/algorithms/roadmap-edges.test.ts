@@ -23,7 +23,10 @@ test('a tape with too many edges is cut, says so, and the plan is the same', () 
   expect(explain(tape, cut, frameAt(tape, cut + 1), [])).toMatch(
     /^There are more than 200\d{4} edges/,
   )
-  expect(outcome).toEqual(plan(problem, 'probabilistic-roadmap', options))
+  const unrecorded: number[] = []
+  const without = { ...options, progress: (done: number) => unrecorded.push(done) }
+  expect(outcome).toEqual(plan(problem, 'probabilistic-roadmap', without))
+  expect(unrecorded.at(-1)).toBeGreaterThan(0.5)
 
   expect(shares.length).toBeGreaterThan(20)
   expect(shares).toEqual(shares.toSorted((a, b) => a - b))

@@ -208,6 +208,15 @@ describe('two fingers', () => {
     expect(store.state.setup).toBe(setup)
   })
 
+  it('may begin at one place', () => {
+    finger(1, at(1, 1))
+    finger(2, at(1, 1))
+    hand.move(2, [at(1, 1)])
+    expect(store.state.view).toEqual({ scale: 40, left: 0, top: 0 })
+    hand.move(2, [at(2, 1)])
+    expect(store.state.view.scale).toBeGreaterThan(40)
+  })
+
   it('are forgotten when they are lifted: one finger draws again', () => {
     finger(1, at(1, 1))
     finger(2, at(4, 1))

@@ -26,6 +26,17 @@ describe('the room for the map', () => {
     })
   })
 
+  it('is the larger of two in which the map is nearly as large', () => {
+    const bar = { left: 0, top: 280, width: 1000, height: 20 }
+    const below = { left: 320, top: 300, width: 680, height: 300 }
+    const square = { width: 10, height: 10 }
+    const above = { left: 0, top: 0, width: 1000, height: 280 }
+    expect(roomForMap(screen, [bar, below], square)).toEqual(above)
+    const lower = { ...bar, top: 220, height: 80 }
+    const corner = { left: 0, top: 300, width: 320, height: 300 }
+    expect(roomForMap(screen, [lower, below], square)).toEqual(corner)
+  })
+
   it('never lies under a card that sticks out of the screen', () => {
     const out = { left: -100, top: -50, width: 200, height: 800 }
     expect(roomForMap(screen, [out], wide)).toEqual({ left: 100, top: 0, width: 900, height: 600 })

@@ -201,12 +201,17 @@ describe('what is known of a cell, in words', () => {
   })
 
   it('is one sentence', () => {
-    const words = (id: string, cell: number) => {
-      const state = stateOf(id)
+    const words = (id: string, cell: number, text = MAP) => {
+      const state = stateOf(id, text)
       return cellFactsInWords(momentAt(state), state.setup.problem, cell)
     }
     expect(words('decomposition', 1)).toBe('Vertex; closed, cost 1 by way of (0, 0).')
     expect(words('potential-field', 24)).toMatch(/^Attraction 0; repulsion 0; potential 0/)
     expect(words('bug2', 0)).toMatch(/^Hit point 1; cell 0 of the m-line; stood on after 0 steps;/)
+    // The latest three times of three, and of four.
+    expect(words('bug1', 81, maps.fig12)).toMatch(/^Stood on after \d+, \d+, \d+ steps; /)
+    expect(words('bug1', 213, maps.banner)).toMatch(
+      /^Stood on after \d+, \d+, \d+ steps \(4 times\);/,
+    )
   })
 })

@@ -66,6 +66,8 @@ describe('every chart', () => {
     )
     const missing = chartsOf(settings, one).map((chart) => chart.missing !== '')
     expect(missing).toEqual([true, false, true, true, true])
+    const few = rows.filter(({ params }) => params.samples === 5)
+    expect(chart('samples', chartsOf(settings, few)).missing).not.toBe('')
     for (const chart of chartsOf(settings, [])) expect(chart.missing).not.toBe('')
   })
 })
@@ -152,6 +154,14 @@ describe('the marks', () => {
     const { marks } = chart('time', chartsOf(settings, still))
     expect(marks).toHaveLength(3 * countWork(settings).settings)
     for (const { y, low, high } of marks) expect(Math.min(y, low, high)).toBeGreaterThan(0)
+  })
+
+  it('of time lie at the mean where most runs took less than a tick of the clock', () => {
+    const coarse = rows.map((row) => ({ ...row, milliseconds: row.map % 5 === 0 ? 10 : 0 }))
+    for (const { y, label } of chart('time', chartsOf(settings, coarse)).marks) {
+      expect(y).toBe(2)
+      expect(label).toMatch('mean 2.0 ms')
+    }
   })
 })
 

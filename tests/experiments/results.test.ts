@@ -82,9 +82,24 @@ test('CSV with line ends of Windows is read', () => {
   expect(openResults(resultsToCsv(results).replaceAll('\n', '\r\n'))).toEqual(results)
 })
 
-test('values with commas and quotes stay whole', () => {
-  const odd = { ...rows[0], family: 'a "b", c' }
-  expect(openResults(resultsToCsv({ ...results, rows: [odd] })).rows).toEqual([odd])
+test.each(['a "b", c', 'a, b', 'a "b"'])(
+  'values with commas and quotes stay whole: %s',
+  (family) => {
+    const odd = { ...rows[0], family }
+    expect(openResults(resultsToCsv({ ...results, rows: [odd] })).rows).toEqual([odd])
+  },
+)
+
+test('a shard that there cannot be is refused', () => {
+  for (const shard of [
+    { index: 3, of: 2 },
+    { index: 0, of: 2 },
+    { index: 1.5, of: 2 },
+    { index: 1 },
+  ]) {
+    const text = resultsToLines(results).replace(/\}\n/, `,"shard":${JSON.stringify(shard)}}\n`)
+    expect(() => openResults(text)).toThrow('The "shard" must have an "index" from 1 to "of".')
+  }
 })
 
 test('JSON may be written anew by other programs', () => {

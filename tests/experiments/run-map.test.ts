@@ -1,11 +1,14 @@
 import { expect, test } from 'vitest'
+import { boundOf } from '../../src/experiments/run-map'
 import {
+  bug1Bound,
   checkSettings,
   countWork,
   type ExperimentSettings,
   plan,
   plannerById,
   planners,
+  problemFromText,
   type Row,
   runMap,
   testMap,
@@ -97,6 +100,30 @@ test('bug1 and bug2 (closer) have a bound and keep it, the others have none', ()
     if (!isBounded) expect(bound).toBeNull()
     else expect(steps).toBeLessThanOrEqual(bound ?? -1)
   }
+})
+
+test('the bound of bug1 is that for the side on which it keeps obstacles', () => {
+  // Two places of the wall are as near to the goal: which one comes first is up to the turn.
+  const problem = problemFromText(`
+    ................
+    ...##...........
+    ...#............
+    ...#............
+    ...#............
+    S..#..........G.
+    ...#............
+    ...#..###.......
+    ...#..###.......
+    ...##...........
+    ................
+  `)
+  const bounds = (['left', 'right'] as const).map((turn) => {
+    const { steps } = bug1Bound(problem, turn)
+    expect(boundOf(problem, 'bug1', { turn })).toBe(steps)
+    expect(plan(problem, 'bug1', { params: { turn } }).measure.cells - 1).toBeLessThanOrEqual(steps)
+    return steps
+  })
+  expect(bounds[0]).not.toBe(bounds[1])
 })
 
 test('a row is enough to run it again', () => {

@@ -115,6 +115,15 @@ const FAULTS: [object, string][] = [
     { planners: [{ planner: 'bug1' }, { planner: 'bug2' }, { planner: 'bug1' }] },
     'planners: Bug1 is there twice.',
   ],
+  [
+    {
+      planners: [
+        { planner: 'bug2', params: { leave: ['closer'], turn: ['left'] } },
+        { planner: 'bug2', params: { turn: ['left'], leave: ['closer'] } },
+      ],
+    },
+    'planners: Bug2 (turn left, leave closer) is there twice.',
+  ],
 ]
 
 describe('a fault is told in a sentence that begins with the field', () => {

@@ -109,3 +109,15 @@ test('a map is looked at anew if it differs from the one before, be it in its la
     expect(planOn(wallsWith(128), id)).toThrow(InputError)
   }
 })
+
+test('a value that is neither free nor obstacle is named, whichever cell has it', () => {
+  // Large enough to be looked at several cells at a time, and then one by one.
+  for (let cell = 0; cell < 49; cell++) {
+    const walls = new Uint8Array(49)
+    walls[cell] = 2
+    const grid = { width: 7, height: 7, walls }
+    const problem = { grid, start: 0, goal: 48, diagonal: 'if-at-most-one-obstacle' } as const
+    const name = `(${cell % 7}, ${Math.floor(cell / 7)})`
+    expect(() => checkProblem(problem)).toThrow(`The cell ${name} is 2: it must be 0, free,`)
+  }
+})

@@ -14,7 +14,7 @@ const FIRST = Number(process.env.FIRST ?? 0)
 export const LONG = 6 * 60 * 60 * 1000
 
 /** What must hold on a map; throws if it does not. `index` chooses among settings. */
-export type Property = (world: World, index: number) => void
+type Property = (world: World, index: number) => void
 
 /**
  * Tries a property on every map under both diagonal rules. A failure names the map by its number

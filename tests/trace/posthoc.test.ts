@@ -39,6 +39,21 @@ describe('a tape that is too long', () => {
   })
 })
 
+test('numbers stay what they are, however large; potentials are coloured up to the highest', () => {
+  const values = [1e308, -1e308, 3e9 + 0.123456789, 700.5, Number.POSITIVE_INFINITY]
+  const tape = new Tape()
+  tape.begin(3, 2)
+  values.forEach((value, cell) => {
+    tape.write(EVENT.attraction, cell, -1, value)
+  })
+  tape.write(EVENT.potential, 3, -1, 700.5)
+  tape.write(EVENT.potential, 4, -1, Number.POSITIVE_INFINITY)
+  const { events, views }: Trace = JSON.parse(posthocTrace(tape, info))
+  const told = events.filter(({ type }) => type === 'attraction').map(({ value }) => value)
+  expect(told).toEqual([...values.slice(0, -1), 'infinite'])
+  expect(JSON.stringify(views)).toContain('$.value / 700.5)')
+})
+
 describe('figures of the report', () => {
   const cases = Object.entries(maps).flatMap(([name, text]) =>
     planners.map((planner) => [`${planner.id} on ${name}`, text, planner] as const),

@@ -1,6 +1,7 @@
 import { GIVEN_MAPS } from '../../experiments/settings'
 import { create } from '../element'
 import { icon } from '../icons'
+import { countInWords } from '../words/numbers'
 import { type Entry, type List, paramsOf, titleOf } from './draft'
 import { type FaultyField, paramField } from './list-fields'
 
@@ -72,7 +73,7 @@ export function entryForm(entry: Entry, path: string, events: EntryEvents): Entr
     })
   }
   const show = ({ lists, maps }: Entry) => {
-    values.textContent = maps.length > 0 ? mapNames(maps.length) : listsInWords(lists)
+    values.textContent = maps.length > 0 ? countInWords(maps.length, 'map') : listsInWords(lists)
   }
   show(entry)
   return { element: create('li', { class: 'entry' }, details, remove, fault), fields, show }
@@ -92,8 +93,6 @@ function openedMaps({ key, maps }: Entry, { mapsWanted }: EntryEvents): HTMLElem
   const help = 'Files of this page, MovingAI maps and text maps. Start and goal are drawn by lot.'
   return [list, more, create('p', { class: 'help' }, help)]
 }
-
-const mapNames = (count: number): string => `${count} ${count === 1 ? 'map' : 'maps'}`
 
 function listsInWords(lists: Entry['lists']): string {
   return Object.entries(lists)

@@ -105,7 +105,10 @@ export function showResults(state: PageState, results: Results): PageState {
 /** Nobody can follow more lines than this. */
 const MOST_SERIES = 14
 
-/** The series that are hidden at first: if there are too many, all but the first setting of a planner. */
+/**
+ * The series that are hidden at first: none, or if there are too many, all but the first of each planner
+ * with more than two.
+ */
 function namesLeftOut(settings: ExperimentSettings): ReadonlySet<string> {
   const all = plannerSettings(settings)
   if (all.length <= MOST_SERIES) return new Set()

@@ -5,7 +5,7 @@ import { fromBase64, toBase64 } from '../../grid/formats/base64'
 import { packWalls, unpackWalls } from '../../grid/formats/packed'
 import { readShape } from '../../grid/formats/shape'
 import { MAX_SIDE, MIN_SIDE } from '../../grid/grid'
-import { checkProblem, type Problem } from '../../grid/problem'
+import { checkProblem, type Problem, SIDE_IN_WORDS } from '../../grid/problem'
 import { DIAGONAL_RULES } from '../../grid/steps'
 import { defaultPreferences, type Preferences, preferencesSchema } from '../state/preferences'
 import type { Setup } from '../state/setup'
@@ -43,11 +43,10 @@ const setupSchema = v.object({
   seed: v.pipe(v.number(), v.safeInteger()),
 })
 
-const A_SIDE = `a whole number from ${MIN_SIDE} to ${MAX_SIDE}`
 const words = {
   version: '1',
-  width: A_SIDE,
-  height: A_SIDE,
+  width: SIDE_IN_WORDS,
+  height: SIDE_IN_WORDS,
   walls: 'a text',
   start: 'the number of a cell',
   goal: 'the number of a cell',
@@ -70,9 +69,7 @@ export function setupToText(setup: Setup): string {
  * @throws Error if the text holds no map to plan on; an InputError says what is wrong with it.
  */
 export function setupFromText(text: string, readParams: ReadParams = knownParams): Setup {
-  const value: unknown = JSON.parse(text)
-  if (typeof value !== 'object' || value === null) throw new SyntaxError('There is no object.')
-  const read = readShape(setupSchema, words, value)
+  const read = readShape(setupSchema, words, Object(JSON.parse(text)))
   const { width, height, start, goal, diagonal, plannerId, params, seed } = read
   const walls = unpackWalls(fromBase64(read.walls), width * height)
   const problem = { grid: { width, height, walls }, start, goal, diagonal }

@@ -39,7 +39,9 @@ function withOutcome(state: State, text: string): string | null {
 }
 
 /** Speaks through a live region; the same words twice are said twice. */
-export function announcer(region: HTMLElement): (state: State, moment: Moment | null) => void {
+export function announcer(
+  region: Pick<HTMLElement, 'textContent'>,
+): (state: State, moment: Moment | null) => void {
   let said: Said | null = null
   return (state, moment) => {
     const text = announcement(state, moment, said)

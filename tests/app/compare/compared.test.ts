@@ -135,6 +135,16 @@ describe('the comparison in the state', () => {
     expect(comparedPaths({ ...full, setup: setupFrom('S.\n.G') })).toEqual([])
   })
 
+  it('draws nothing of planners that came nowhere', () => {
+    const shut = setupFrom('S#.\n##.\n..G')
+    const state = entriesOf(shut).reduce(
+      (state, { plan }) => planCompared(state, shut, plan),
+      toggleComparison(initialState(shut, defaultPreferences)),
+    )
+    expect(state.comparison.entries.map(({ plan }) => plan.path.length)).toContain(1)
+    expect(comparedPaths(state)).toEqual([])
+  })
+
   it('draws each planner in a style of its own', () => {
     expect(new Set(planners.map(({ id }) => styleOf(id))).size).toBe(planners.length)
   })

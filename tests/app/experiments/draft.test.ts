@@ -56,9 +56,10 @@ describe('the form of settings', () => {
 
   it('takes the default where a list is empty', () => {
     const planners = [newEntry('bug2', { leave: [] }), newEntry('tangent-bug', { range: ' ' })]
-    expect(valueIn({ ...draft, planners })).toMatchObject({
-      planners: [{ params: {} }, { params: {} }],
-    })
+    expect(valueIn({ ...draft, planners })).toHaveProperty('planners', [
+      { planner: 'bug2', params: {} },
+      { planner: 'tangent-bug', params: {} },
+    ])
   })
 
   it('never throws, whatever is typed, and says where the fault is', () => {
@@ -124,6 +125,12 @@ describe('what is wrong with the form', () => {
     const fault = faultOf(change)
     expect(fault?.field).toBe(field)
     expect(fault?.text).toMatch(text)
+  })
+
+  it('is that of one run too many, and not of as many as the page keeps', () => {
+    const one = { families: [newEntry('maze')], planners: [newEntry('bug1')] }
+    expect(faultOf({ ...one, mapsPerCombination: String(MOST_RUNS_HERE) })).toBeNull()
+    expect(faultOf({ ...one, mapsPerCombination: String(MOST_RUNS_HERE + 1) })).not.toBeNull()
   })
 
   it('is shown at the nearest field that there is', () => {

@@ -94,6 +94,17 @@ describe('the state of the page', () => {
     const lines = countWork(sectionV).settings - shown.hidden.size
     expect(lines).toBeGreaterThanOrEqual(8)
     expect(lines).toBeLessThanOrEqual(14)
+    expect(shown.hidden).toContain('Tangent Bug (variant classic, range 2)')
+    expect(shown.hidden).not.toContain('Bug2 (leave closer)')
+  })
+
+  it('leaves out nothing of fourteen lines, and most of fifteen', () => {
+    const hiddenOf = (most: number) => {
+      const range = Array.from({ length: most }, (_, i) => i + 1)
+      const many = { ...settings, planners: [{ planner: 'tangent-bug', params: { range } }] }
+      return showResults(state, { settings: many, shard: WHOLE, rows: [] }).hidden.size
+    }
+    expect([14, 15].map(hiddenOf)).toEqual([0, 14])
   })
 
   it('leaves a series out, and brings it back', () => {

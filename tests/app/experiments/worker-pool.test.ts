@@ -6,6 +6,7 @@ import { type PoolWorker, WorkerPool } from '../../../src/app/experiments/worker
 import type { Row } from '../../../src/experiments/row'
 import { runMap } from '../../../src/experiments/run-map'
 import { countWork, type ExperimentSettings } from '../../../src/experiments/settings'
+import { timeless } from '../../experiments/settings'
 
 const settings: ExperimentSettings = {
   ...presets[0].settings,
@@ -56,11 +57,11 @@ function answer(order: Order): Report | null {
   return { kind: 'done', range, rows, milliseconds: 1 }
 }
 
-function poolOf(size: number) {
+function poolOf(size: number, asked = settings) {
   const workers: SlowWorker[] = []
   const told: (number | string)[] = []
   const pool = new WorkerPool(
-    settings,
+    asked,
     () => {
       const worker = new SlowWorker()
       workers.push(worker)
@@ -76,7 +77,6 @@ function poolOf(size: number) {
   return { pool, workers, told }
 }
 
-const timeless = (rows: readonly Row[]) => rows.map(({ milliseconds: _, ...row }) => row)
 const expected = timeless(Array.from({ length: MAPS }, (_, map) => runMap(settings, map)).flat())
 
 describe('a pool of workers', () => {
@@ -109,6 +109,50 @@ describe('a pool of workers', () => {
     expect(timeless(pool.rows)).toEqual(expected.filter(({ map }) => map < 3))
     expect(told).toEqual([3])
     expect(workers.every(({ isEnded }) => isEnded)).toBe(true)
+  })
+
+  describe('with thousands of maps', () => {
+    const many = { ...settings, mapsPerCombination: 500 }
+    const { maps } = countWork(many)
+
+    /** Rows do not matter here. */
+    const atOnce = (order: Order): Report | null => {
+      if (order.kind === 'settings') return null
+      const { range } = order
+      const rows = Array.from({ length: range.end - range.first }, () => [])
+      return { kind: 'done', range, rows, milliseconds: 1 }
+    }
+
+    it('does not let the others run ahead of one that takes long without end', () => {
+      const { workers, told } = poolOf(2, many)
+      const [late, other] = workers
+      let ahead = 0
+      const work = (order: Order) => {
+        if (order.kind === 'maps') ahead = Math.max(ahead, order.range.end)
+        return atOnce(order)
+      }
+      while (other.work(work));
+      expect(ahead).toBe(1000)
+      while (late.work(atOnce) || other.work(work));
+      expect(told.at(-1)).toBe('finished')
+    })
+
+    it('hands out less and less towards the end, so that all workers end together', () => {
+      const { workers, told } = poolOf(4, many)
+      const counts: number[] = []
+      const work = (order: Order) => {
+        if (order.kind === 'maps') {
+          const { first, end } = order.range
+          // Of what is left, no worker gets more than half its share.
+          expect(end - first).toBeLessThanOrEqual(Math.ceil((maps - first) / 8))
+          counts.push(end - first)
+        }
+        return atOnce(order)
+      }
+      while (!told.includes('finished')) for (const worker of workers) worker.work(work)
+      expect(Math.max(...counts)).toBe(64)
+      expect(counts.at(-1)).toBe(1)
+    })
   })
 
   it('never has more workers than maps, and at least one', () => {

@@ -114,13 +114,14 @@ describe('the solver', () => {
     expect(asked()).toEqual([2])
   })
 
-  it('gives up later and later while an edit goes on, and soon again when it has ended', () => {
-    const edits = (milliseconds: number) => {
-      for (let i = 0; i < milliseconds; i += 10) {
-        now += 10
-        solver.ask(request(1))
-      }
+  const edits = (milliseconds: number) => {
+    for (let i = 0; i < milliseconds; i += 10) {
+      now += 10
+      solver.ask(request(1))
     }
+  }
+
+  it('gives up later and later while an edit goes on, and soon again when it has ended', () => {
     edits(100 + 200 + 400 + 40)
     expect(workers.length).toBe(4)
     edits(740)
@@ -128,6 +129,16 @@ describe('the solver', () => {
     solver.editEnded()
     expect(workers.length).toBe(5)
     expect(asked()).toEqual([1])
+  })
+
+  it('gives up soon again when an edit was taken back', () => {
+    edits(100 + 200 + 400 + 40)
+    expect(workers.length).toBe(4)
+    solver.ask({ ...request(2), instant: false })
+    now += PATIENCE_MS + 1
+    solver.tick()
+    expect(workers.length).toBe(5)
+    expect(asked()).toEqual([2])
   })
 
   it('never gives up a long run that nobody overtakes', () => {

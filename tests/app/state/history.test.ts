@@ -67,6 +67,10 @@ describe('history', () => {
     let history = emptyHistory
     for (let seed = 0; seed < 20; seed++) history = remember(history, { ...first, seed })
     expect(new Set(history.past.map((entry) => entry.bits)).size).toBe(1)
+    // So it counts once.
+    let small = emptyHistory
+    for (let seed = 0; seed < 20; seed++) small = remember(small, { ...first, seed }, 3)
+    expect(small.past.length).toBe(20)
     const travel = undo(history, { ...first, seed: 20 })
     expect(travel?.setup.problem.grid.walls).toBe(first.problem.grid.walls)
   })
@@ -81,5 +85,12 @@ describe('history', () => {
     // 20 cells are 3 bytes.
     expect(history.past.length).toBe(3)
     expect(undo(history, first)?.setup).toEqual(setup)
+  })
+
+  it('forgets the oldest of more than a thousand steps', () => {
+    let history = emptyHistory
+    for (let seed = 0; seed <= 1000; seed++) history = remember(history, { ...first, seed })
+    expect(history.past.length).toBe(1000)
+    expect(history.past[0].setup.seed).toBe(1)
   })
 })

@@ -153,6 +153,8 @@ describe('a plan', () => {
     const again = planStarted(planArrived(running, shown))
     expect(visiblePlan(again)).toBe(shown)
     expect(visiblePlan(planIsSlow(again))).toBeNull()
+    // One that takes the place of a slow one does not bring the old plan back for a moment.
+    expect(visiblePlan(planStarted(planIsSlow(again)))).toBeNull()
     expect(visiblePlan(planCancelled(again))).toBeNull()
     const failed = planFailed(again, begin.setup, 'No.')
     expect(failed.run).toEqual({ kind: 'failed', message: 'No.' })
@@ -190,8 +192,10 @@ describe('a plan', () => {
 
 describe('messages', () => {
   it('are the latest three, each once, and can be dismissed', () => {
-    let state = begin
-    for (const text of ['a', 'b', 'a', 'c', 'd']) state = tell(state, 'error', text)
+    const told = (...texts: string[]) =>
+      texts.reduce((state, text) => tell(state, 'error', text), begin)
+    expect(told('a', 'b', 'a').messages.map((message) => message.text)).toEqual(['b', 'a'])
+    const state = told('a', 'b', 'a', 'c', 'd')
     expect(state.messages.map((message) => message.text)).toEqual(['a', 'c', 'd'])
     const ids = state.messages.map((message) => message.id)
     expect(new Set(ids).size).toBe(3)

@@ -20,7 +20,7 @@ import {
   say,
 } from '../../../src/app/state/transitions'
 import { mapKey } from '../../../src/app/tools/keys'
-import { announcement } from '../../../src/app/words/announcer'
+import { announcement, announcer } from '../../../src/app/words/announcer'
 import { mapAttributes } from '../../../src/app/words/map-attributes'
 import { planned, setupFrom, stateFrom } from '../setups'
 
@@ -33,6 +33,25 @@ it('what was done is said together with what came of it, once', () => {
   expect(announcement(running, null, null)).toBeNull()
   expect(announcement(settled, null, null)).toBe('The goal is now at (2, 2). Reached in 3 cells.')
   expect(announcement(settled, null, settled.said)).toBeNull()
+})
+
+it('the same words are said again if they are meant again, as others or not at all', () => {
+  const region = { textContent: '' }
+  const announce = announcer(region)
+  const heard: string[] = []
+  const first = say(begin, 'Nothing to undo.')
+  for (const state of [
+    begin,
+    first,
+    first,
+    say(first, 'Nothing to undo.'),
+    say(first, 'Undone.'),
+  ]) {
+    announce(state, null)
+    heard.push(region.textContent)
+  }
+  const again = 'Nothing to undo.\u00a0'
+  expect(heard).toEqual(['', 'Nothing to undo.', 'Nothing to undo.', again, 'Undone.'])
 })
 
 it('what has no plan is said at once', () => {

@@ -31,6 +31,12 @@ test('intervals lie around the rate, within 0 and 1, and narrow as runs are adde
   expect(wilson(0, 0)).toEqual({ rate: Number.NaN, low: 0, high: 1 })
 })
 
+test('all and none end where shares end, without a rounding error', () => {
+  for (let total = 1; total <= 300; total++) {
+    expect([wilson(0, total).low, wilson(total, total).high]).toEqual([0, 1])
+  }
+})
+
 test('quantiles lie between the values around them', () => {
   expect(quantilesOf([4, 1, 3, 2])).toEqual({
     least: 1,

@@ -3,7 +3,8 @@ import { describe, expect, test } from 'vitest'
 import { MAX_FILE_LENGTH, openMap } from '../../../src/grid/formats/open-map'
 import { InputError, problemToText } from '../../../src/index'
 import { problems } from '../arbitraries'
-import { mustRefuse, project } from './files'
+import { mustRefuse } from './files'
+import { project } from './sound-file'
 
 test('a text map is opened as problemFromText reads it', () => {
   fc.assert(
@@ -63,9 +64,14 @@ describe('size', () => {
     ],
     ['one line of text', '.'.repeat(5_000_000)],
     ['a million lines of text', '..\n'.repeat(1_000_000)],
-    ['more text than any map', '..\n'.repeat(4_000_000)],
-    ['more than any file', ' '.repeat(MAX_FILE_LENGTH + 1)],
   ])('%s is refused', (_, text) => {
     expect(() => openMap(text)).toThrow(InputError)
+  })
+
+  test.each([
+    ['text than any text map', '..\n'.repeat(4_000_000), '12 million'],
+    ['than any file', ' '.repeat(MAX_FILE_LENGTH + 1), '17 million'],
+  ])('more %s has is refused before it is looked at', (_, text, size) => {
+    mustRefuse(text, `The file has ${size} characters; no map has more than`)
   })
 })

@@ -4,7 +4,8 @@ import { openMap } from '../../../src/grid/formats/open-map'
 import { saveProject } from '../../../src/grid/formats/project-file'
 import { checkProblem, InputError, type Problem, problemToText } from '../../../src/index'
 import { problems } from '../arbitraries'
-import { mustRefuse, project } from './files'
+import { mustRefuse } from './files'
+import { project } from './sound-file'
 
 describe("the project's own file", () => {
   test('is opened as it was saved', () => {

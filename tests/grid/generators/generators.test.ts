@@ -2,9 +2,10 @@ import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { generators } from '../../../src/grid/generators'
 import { pointOf } from '../../../src/grid/grid'
+import { gridToRows } from '../../../src/grid/text-map'
 import { checkProblem, type DiagonalRule, InputError } from '../../../src/index'
 import { RULES } from '../arbitraries'
-import { seeds, sizes } from './maps'
+import { make, seeds, sizes } from './maps'
 
 test('four generators, each with an id of its own', () => {
   expect(generators.map(({ id }) => id)).toEqual(['random', 'blocks', 'rooms', 'maze'])
@@ -83,5 +84,74 @@ describe.each(generators)('$id', (generator) => {
     const problem = generator.generate(largest, {}, 1, rule)
     checkProblem(problem)
     expect(problem.grid).toMatchObject(largest)
+  })
+})
+
+// Settings files, links and results name maps by their seeds.
+describe('the map of a seed is the same in every version', () => {
+  test.each([
+    [
+      'random',
+      { density: 25 },
+      `
+        ...#..#...##..###...#...
+        #.....#...#.#....#.....#
+        ..........##.....#.....#
+        .....#...####.#...#.#..#
+        ...####..#.#...#.####...
+        #......#.............#..
+        ...##..##..#...#..#.#...
+        ..#..#............#.....
+        ......#.......#.#......#
+      `,
+    ],
+    [
+      'blocks',
+      { density: 30, largest: 5, hollow: 60 },
+      `
+        .###..##...###..........
+        ####..####....###.......
+        ####..####....##.#.....#
+        ###......#.###.###......
+        #.#......#.#..##.#......
+        ...#.....#.#.####.......
+        ...#....................
+        ...#....###............#
+        ..##....#.#............#
+      `,
+    ],
+    [
+      'rooms',
+      { room: 3 },
+      `
+        .......#....#....#......
+        .......#....#...........
+        .......#....#....#......
+        .......#.#####.###......
+        ............#....#####.#
+        ###.####....#....#......
+        .......#....#....#......
+        .......#....#....#......
+        .......#.........#......
+      `,
+    ],
+    [
+      'maze',
+      { loops: 20 },
+      `
+        .........#.........#....
+        .#.#####.#####.###.#.###
+        .#.#...#.......#.#.#....
+        .#.#.#.#.#.#####.#.#.#.#
+        .....#.#...#.........#..
+        .###.#.#####.###.#.###.#
+        ...........#...#........
+        .#.###.###.#.#.#.#.###.#
+        ........................
+      `,
+    ],
+  ])('%s', (id, params, rows) => {
+    const { grid } = make(id, { width: 24, height: 9 }, params, 3)
+    expect(gridToRows(grid)).toEqual(rows.trim().split(/\s+/))
   })
 })
