@@ -45,7 +45,7 @@ const OUTCOMES = {
 
 /** Times below the resolution of one reading come from many. */
 export const medianInWords = (milliseconds: number): string =>
-  milliseconds < 0.1 ? `${Math.round(milliseconds * 1000)} µs` : timeInWords(milliseconds)
+  milliseconds < 0.9995 ? `${Math.round(milliseconds * 1000)} µs` : timeInWords(milliseconds)
 
 /** The first one names the planner. */
 export const COLUMNS: readonly Column[] = [
