@@ -33,6 +33,11 @@ export function openMap(text: string): OpenedMap {
     checkLength(content, MAX_TEXT_MAP_LENGTH)
     return { problem: problemFromText(content), notes: [] }
   }
+  if (/^version \d/.test(beginning)) {
+    throw new InputError(
+      'These are scenarios of a MovingAI map, which is a file of its own: open that, its name ends in ".map".',
+    )
+  }
   throw new InputError(
     `This file is no map. It begins with ${excerpt(beginning)}, but a map is a JSON object ({…}), ` +
       'a MovingAI map ("type octile") or rows of "#" obstacle, "." free, "S" start and "G" goal.',
@@ -52,8 +57,6 @@ function openJson(value: object): OpenedMap {
 
 function checkLength(text: string, most: number): void {
   if (text.length <= most) return
-  const millions = (length: number) => `${Math.ceil(length / 1e6)} million`
-  throw new InputError(
-    `The file has ${millions(text.length)} characters; no map has more than ${millions(most)}.`,
-  )
+  const [has, may] = [text.length, most].map((length) => length.toLocaleString('en'))
+  throw new InputError(`The file has ${has} characters; no map has more than ${may}.`)
 }

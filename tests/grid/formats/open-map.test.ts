@@ -29,6 +29,7 @@ describe('what is no map', () => {
     ['\u0089PNG\r\n\u001a\n', 'It begins with "·PNG'],
     ['[1, 2, 3]', 'This file is no map. It begins with "[1, 2, 3]"'],
     ['null', 'This file is no map.'],
+    ['version 1\n0\tarena.map\t49\t49\t1\t11\t1\t12\t1\n', 'These are scenarios of a MovingAI map'],
     ['{}', 'it has neither "format": "path-planner" nor a "wall_map".'],
     ['{"rows": ["..", ".."]}', 'This JSON file is no map of Path Planner'],
     ['{"__proto__": {"format": "path-planner"}}', 'This JSON file is no map of Path Planner'],
@@ -69,8 +70,8 @@ describe('size', () => {
   })
 
   test.each([
-    ['text than any text map', '..\n'.repeat(4_000_000), '12 million'],
-    ['than any file', ' '.repeat(MAX_FILE_LENGTH + 1), '17 million'],
+    ['text than any text map', '..\n'.repeat(4_000_000), '12,000,000'],
+    ['than any file', ' '.repeat(MAX_FILE_LENGTH + 1), '16,777,217'],
   ])('more %s has is refused before it is looked at', (_, text, size) => {
     mustRefuse(text, `The file has ${size} characters; no map has more than`)
   })
