@@ -10,7 +10,7 @@ const SIZES = [
 ]
 
 /** Nothing lies over its middle, if need be once it has been scrolled to. */
-const expectInReach = (element: Locator) => element.click({ trial: true, timeout: 5_000 })
+const expectInReach = (element: Locator) => element.click({ trial: true })
 
 /** Cards that stand one below the other, and lie on one another all the same. */
 async function overlaps(page: Page): Promise<string[]> {
