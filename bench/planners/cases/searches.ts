@@ -55,36 +55,36 @@ export function firstQueryCases(maps: readonly BenchMap[]): Case[] {
  * to the cell after the start. The ratio is what there would be if searches took no time.
  */
 export function ceilingCase(map: BenchMap): Case {
-  const peer = pathfindingJumpPoint
-  const params = { cost: 'euclidean', search: 'jump-point' }
-  const oneStep = map.queries.map(({ start, goal }) => {
-    return { start, goal: ask(map.grid, { start, goal }, 'decomposition', params).path[1] }
+  const search = 'jump-point'
+  const queries = map.queries.map((query) => {
+    const { path } = ask(map.grid, query, 'decomposition', paramsOf(search))
+    return { start: query.start, goal: path[1] }
   })
-  return {
-    name: `nothing to search, decomposition jump-point, ${map.name}`,
-    against: peer.name,
-    ours: allQueries([{ ...map, queries: oneStep }], (grid, query) =>
-      ask(grid, query, 'decomposition', params),
-    ),
-    peer: allQueries([map], onAnyMap(peer)),
-    unit: 'query',
-    target: null,
-  }
+  const duel = [search, pathfindingJumpPoint] as const
+  return caseOf([map], 'nothing to search, decomposition', duel, [{ ...map, queries }])
 }
 
 function casesOf(maps: readonly BenchMap[], what: string, duels: readonly Duel[]): Case[] {
   const known = searchesOf('decomposition')
-  return duels
-    .filter(([search]) => known.includes(search))
-    .map(([search, peer, atLeast]) => {
-      const params = { cost: 'euclidean', search }
-      return {
-        name: `${what} ${search}, ${maps[0].name}`,
-        against: peer.name,
-        ours: allQueries(maps, (grid, query) => ask(grid, query, 'decomposition', params)),
-        peer: allQueries(maps, onAnyMap(peer)),
-        unit: 'query',
-        target: atLeast === undefined ? null : { atLeast },
-      }
-    })
+  return duels.filter(([search]) => known.includes(search)).map((duel) => caseOf(maps, what, duel))
+}
+
+const paramsOf = (search: string) => ({ cost: 'euclidean', search })
+
+/** @param oursOn the maps with what ours is asked, if that is not what the peer is asked */
+function caseOf(
+  maps: readonly BenchMap[],
+  what: string,
+  [search, peer, atLeast]: Duel,
+  oursOn = maps,
+): Case {
+  const params = paramsOf(search)
+  return {
+    name: `${what} ${search}, ${maps[0].name}`,
+    against: peer.name,
+    ours: allQueries(oursOn, (grid, query) => ask(grid, query, 'decomposition', params)),
+    peer: allQueries(maps, onAnyMap(peer)),
+    unit: 'query',
+    target: atLeast === undefined ? null : { atLeast },
+  }
 }
