@@ -1,14 +1,13 @@
 import { quantilesOf } from '../../experiments/summary/statistics'
 
-/** A reading this long is many ticks of a browser's clock, of which one may be 0.1 ms. */
-const LEAST_READING_MS = 1
-const LEAST_READINGS = 5
-const ENOUGH_MS = 20
+/** A reading this long is many ticks of a browser's clock, of which one may be 1 ms. */
+const LEAST_READING_MS = 10
+const READINGS = 5
 /** A run that takes longer is not repeated. */
 export const MOST_MS = 300
 
 /**
- * How long `run` takes, in milliseconds: the median of at least 5 readings and 20 ms, unless those
+ * How long `run` takes, in milliseconds: the median of 5 readings of 10 ms at least, unless those
  * would take more than 300 ms. Runs too quick for the clock are read several at a time.
  */
 export function medianTime(run: () => void, now: () => number): number {
@@ -27,7 +26,6 @@ export function medianTime(run: () => void, now: () => number): number {
       continue
     }
     readings.push((to - from) / runsAtOnce)
-    const isEnough = readings.length >= LEAST_READINGS && spent >= ENOUGH_MS
-    if (isEnough || spent >= MOST_MS) return quantilesOf(readings).median
+    if (readings.length === READINGS || spent >= MOST_MS) return quantilesOf(readings).median
   }
 }
