@@ -182,7 +182,9 @@ test('the result card has the numbers of the plan', async ({ page }) => {
   await choosePlanner(page, 'Grid decomposition')
   await expectResult(page, /^Reached/)
   const { path, measure, expanded } = plan(problemFromText(ROWS), 'decomposition')
-  await expect(resultNumber(page, 'Time to plan')).toHaveText(/^(less than 0\.1|\d+(\.\d)?) ms$/)
+  await expect(resultNumber(page, 'Time to plan')).toHaveText(
+    /^(too short to measure|\d+(\.\d)? ms)$/,
+  )
   await expect(resultNumber(page, 'Path')).toHaveText(`${path.length} cells`)
   await expect(resultNumber(page, 'Euclidean length')).toHaveText(measure.length.toFixed(2))
   await expect(resultNumber(page, 'Turns')).toHaveText(String(measure.turns))

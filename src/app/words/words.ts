@@ -41,10 +41,11 @@ export function reasonInWords({ status, reason }: Outcome): string {
   return asSentence(reason)
 }
 
-/** Two digits that count; below the clock's resolution it says so. */
+/** Two digits, but none that the clock does not have: a tick of it is 0.1 or 1 ms, by browser. */
 export function timeInWords(milliseconds: number): string {
-  if (milliseconds < 0.1) return 'less than 0.1 ms'
-  if (milliseconds < 9.95) return `${milliseconds.toFixed(1)} ms`
+  const tenths = Math.round(milliseconds * 10)
+  if (tenths === 0) return 'too short to measure'
+  if (tenths < 100) return `${tenths / 10} ms`
   if (milliseconds < 999.5) return `${Math.round(milliseconds)} ms`
   return `${(milliseconds / 1000).toFixed(1)} s`
 }

@@ -87,8 +87,9 @@ describe('the numbers of an outcome', () => {
   })
 
   it.each([
-    [0.04, 'less than 0.1 ms'],
+    [0.04, 'too short to measure'],
     [0.1, '0.1 ms'],
+    [5, '5 ms'],
     [9.94, '9.9 ms'],
     [9.96, '10 ms'],
     [999.4, '999 ms'],
