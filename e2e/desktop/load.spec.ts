@@ -92,7 +92,7 @@ test('that a dialog cannot be loaded is said, and the next try may do better', a
 
 test('so is that a file cannot be opened or saved', async ({ page }) => {
   await openPlayground(page)
-  const words = 'This part of the page could not be loaded. It is there again'
+  const words = 'This part of the page could not be loaded. Try again'
   const tries = async () => {
     await openFile(page, 'map.txt', 'S.\n.G')
     for (const entry of ['Save', 'Save for MovingAI (.map)', 'Save picture (PNG)']) {

@@ -1,5 +1,6 @@
+// Some browsers ask for a module once only: what failed stays missing until the page is loaded anew.
 const MISSING =
-  'This part of the page could not be loaded. It is there again once its server can be reached.'
+  'This part of the page could not be loaded. Try again once its server can be reached; if that does not help, reload the page.'
 
 /**
  * A part of the page that is fetched when it is first needed.
