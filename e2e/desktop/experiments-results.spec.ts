@@ -27,6 +27,24 @@ test('a mark opens the runs that failed, and a run the playground where it faile
   await playground.close()
 })
 
+test('of marks that lie upon each other the one on top is opened', async ({ page }) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  await experiments.run(SMALL)
+  // At this density all settings of potential fields fail alike; this one is drawn last.
+  const name = 'Potential field (influence 1, repulsiveValue 30), density 35 %'
+  const mark = page.getByRole('button', { name })
+  await mark.scrollIntoViewIfNeeded()
+  const box = await mark.boundingBox()
+  if (!box) throw new Error('The mark is not drawn.')
+  const dialog = page.getByRole('dialog', { name: 'Runs' })
+  for (const beside of [-1, 0, 1]) {
+    await page.mouse.click(box.x + box.width / 2 + beside, box.y + box.height / 2 + beside)
+    await expect(dialog.getByText(name)).toBeVisible()
+    await page.keyboard.press('Escape')
+  }
+})
+
 test('all columns of the results are in sight', async ({ page }) => {
   const experiments = new ExperimentsPage(page)
   await experiments.open()

@@ -35,9 +35,11 @@ export function bindMarks(
     const mark = marks[numberOf(element)]
     if (mark) opened(mark)
   }
-  frame.addEventListener('click', ({ clientX, clientY }) =>
-    open(nearestMark(frame, clientX, clientY)),
-  )
+  frame.addEventListener('click', ({ target, clientX, clientY }) => {
+    // Of marks that lie upon each other the one that is seen.
+    const pressed = target instanceof Element ? target.closest(`[${MARK_ATTRIBUTE}]`) : null
+    open(pressed ?? nearestMark(frame, clientX, clientY))
+  })
   frame.addEventListener('keydown', (event) => {
     const here = document.activeElement
     if (event.key === 'Enter' || event.key === ' ') {
