@@ -5,7 +5,10 @@ const LEAST_WIDTH = 2
 /** What WCAG asks of parts that one has to see. */
 const LEAST_CONTRAST = 3
 
-/** How well what has the focus is told apart: its name, the width of its ring and how it stands out. */
+/**
+ * How well what has the focus is told apart: its name, whether it was scrolled into sight, the width
+ * of its ring and how it stands out.
+ */
 async function ringOfFocused(page: Page) {
   return page.evaluate(() => {
     const pixel = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true })
@@ -21,12 +24,15 @@ async function ringOfFocused(page: Page) {
     const focused = document.activeElement
     if (!focused || focused === document.body) return null
     // The box itself lies under the switch that is drawn for it.
-    const drawn = focused.matches('.switch input') ? focused.nextElementSibling : focused
+    const drawn = (focused.matches('.switch input') && focused.nextElementSibling) || focused
+    const { top, bottom } = drawn.getBoundingClientRect()
+    const body = focused.closest('.body')?.getBoundingClientRect()
     const surface = getComputedStyle(document.body).getPropertyValue('--md-sys-color-surface')
-    const { outlineColor, outlineStyle, outlineWidth, opacity } = getComputedStyle(drawn ?? focused)
+    const { outlineColor, outlineStyle, outlineWidth, opacity } = getComputedStyle(drawn)
     const [darker, lighter] = [luminance(outlineColor), luminance(surface)].sort((a, b) => a - b)
     return {
       name: focused.id || focused.getAttribute('aria-label') || String(focused.textContent),
+      isInSight: !body || (top > body.top - 1 && bottom < body.bottom + 1),
       width: outlineStyle === 'solid' && opacity === '1' ? Number.parseFloat(outlineWidth) : 0,
       contrast: (lighter + 0.05) / (darker + 0.05),
     }
@@ -40,7 +46,8 @@ async function unseen(page: Page): Promise<{ stops: number; faint: string[] }> {
   let stops = 0
   for (let ring = await ringOfFocused(page); ring; ring = await ringOfFocused(page)) {
     stops++
-    const { name, width, contrast } = ring
+    const { name, isInSight, width, contrast } = ring
+    if (!isInSight) faint.push(`${name}: out of sight`)
     if (width < LEAST_WIDTH || contrast < LEAST_CONTRAST) {
       faint.push(`${name}: ${width} px, ${contrast.toFixed(1)} to 1`)
     }
