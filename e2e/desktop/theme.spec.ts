@@ -25,6 +25,26 @@ test('the theme is the system’s, until another is chosen', async ({ map, page 
   await map.expectColour(OUTSIDE, themes.dark.outside)
 })
 
+test('a page that Back leads to has the theme that was chosen on the other one', async ({
+  map,
+  page,
+}) => {
+  // As browsers do that keep a page as it was, unlike the one that runs the tests.
+  const leaveAndReturn = (theme: string) =>
+    page.evaluate((chosen) => {
+      const preferences = { theme: chosen, showPotential: true, hint: true }
+      localStorage.setItem('path-planner.preferences', JSON.stringify(preferences))
+      window.dispatchEvent(new PageTransitionEvent('pageshow', { persisted: true }))
+    }, theme)
+  await leaveAndReturn('light')
+  await map.expectColour(OUTSIDE, themes.light.outside)
+  await page.goto('experiments.html')
+  const button = page.getByRole('button', { name: /^Theme: / })
+  await expect(button).toHaveAccessibleName('Theme: light. Change to system')
+  await leaveAndReturn('dark')
+  await expect(button).toHaveAccessibleName('Theme: dark. Change to light')
+})
+
 test('the line for newcomers goes when it is closed, and stays away', async ({ page }) => {
   const hint = page.getByText('Drag to draw obstacles.')
   await expect(hint).toBeVisible()

@@ -25,6 +25,7 @@ import { initialState, type Shown, type State } from './state/state'
 import { createStore, type Store } from './state/store'
 import { clearObstacles, hidePath } from './state/transitions'
 import { keep } from './storage/keeper'
+import { readOnReturn } from './storage/on-return'
 import { bindLink } from './storage/open-link'
 import { browserShelf, loadPreferences, loadSetup } from './storage/storage'
 import { bindInput } from './tools/bind'
@@ -45,6 +46,7 @@ export function startApp(): void {
   const stage = new Stage(store, map, planning.tick)
   comparingFor(store)
   keep(store, shelf, isLinked)
+  readOnReturn(store, shelf)
   const dialogs = dialogsOf(store)
   const shown = panels(store, planning, stage, dialogs)
   oncePlanned(store, () => stage.open(shown))

@@ -5,6 +5,7 @@ import { drawIcons } from '../icons'
 import { messages } from '../panels/messages'
 import { themeButton } from '../panels/theme-button'
 import { createStore } from '../state/store'
+import { readOnReturn } from '../storage/on-return'
 import { browserShelf, loadPreferences, savePreferences } from '../storage/storage'
 import { bindFiles } from './open-files'
 import { resultsPanel } from './results-panel'
@@ -57,6 +58,7 @@ export function startExperiments(): void {
     showTheme(state.preferences.theme)
     setText(live, state.said)
   }
+  readOnReturn(store, shelf)
   inFrames(show, store.subscribe, lightness)
   show()
 }

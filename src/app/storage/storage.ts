@@ -111,12 +111,16 @@ export function loadSetup(shelf: Shelf | null): Loaded {
   }
 }
 
-export function loadPreferences(shelf: Shelf | null): Preferences {
+/** @param otherwise what holds if none were kept, or none that can be read */
+export function loadPreferences(
+  shelf: Shelf | null,
+  otherwise: Preferences = defaultPreferences,
+): Preferences {
   try {
     const text = read(shelf, PREFERENCES_KEY)
-    return text === null ? defaultPreferences : v.parse(preferencesSchema, JSON.parse(text))
+    return text === null ? otherwise : v.parse(preferencesSchema, JSON.parse(text))
   } catch {
-    return defaultPreferences
+    return otherwise
   }
 }
 
