@@ -25,6 +25,13 @@ test('what is on, chosen or here is told from the rest where the system chooses 
 }) => {
   expect(new Set(await pixelsOf(scrubber(page))).size, 'colours of the scrubber').toBeGreaterThan(2)
 
+  const signs = page.locator('#hint').getByText('Drag to draw obstacles.').locator('span')
+  for (const sign of await signs.all()) {
+    expect(await borderOf(sign, 'background-color')).not.toBe(
+      await borderOf(page.locator('#hint'), 'background-color'),
+    )
+  }
+
   const line = currentLine(page)
   const others = page.getByRole('list', { name: 'Pseudocode' }).locator('li:not([aria-current])')
   expect(await borderOf(line, 'border-left-color')).not.toBe(
