@@ -132,3 +132,24 @@ test('a plan too long for its tape says that small things are left out', async (
   await expectSettled(page)
   await expect(reasons(page).getByText(words)).toBeHidden()
 })
+
+test('no browser leaves out cells of a map that is drawn as a whole', async ({ map, page }) => {
+  await planOnLargestMap(page, 'Bug2')
+  const drawn = await page.evaluateHandle(() => {
+    const ratios: number[] = []
+    const { drawImage } = CanvasRenderingContext2D.prototype
+    CanvasRenderingContext2D.prototype.drawImage = function (...args: unknown[]) {
+      // Size of what is drawn: the whole image, or as the arguments say; and that on the canvas.
+      const { width } = args[0] as HTMLCanvasElement
+      const [from, to] = args.length === 9 ? [args[3], args[7]] : [width, args[3]]
+      ratios.push(Number(to) / Number(from))
+      Reflect.apply(drawImage, this, args)
+    }
+    return ratios
+  })
+  await map.wheel([SIDE / 2, SIDE / 2], 2400)
+  await expect.poll(async () => (await map.view()).scale).toBeLessThan(0.1)
+  await expect.poll(async () => (await drawn.jsonValue()).length).toBeGreaterThan(0)
+  // Smoothing takes the four nearest pixels into account, which is all of them down to a half.
+  expect(Math.min(...(await drawn.jsonValue()))).toBeGreaterThan(0.45)
+})

@@ -32,7 +32,6 @@ export class CellCanvas {
   draw(context: CanvasRenderingContext2D, place: Placement, part = place): void {
     // Cells smaller than a pixel are averaged: else thin obstacles come and go with the zoom.
     context.imageSmoothingEnabled = place.cell < 1
-    context.imageSmoothingQuality = place.cell < 0.25 ? 'medium' : 'low'
     this.#tiling.boxes.forEach((box, tile) => {
       if (!isBoxVisible(part, box)) return
       const image = this.#tiles[tile].imageFor(place.cell)
