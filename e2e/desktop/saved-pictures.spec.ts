@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test'
 import { themes } from '../../src/render/theme'
-import { drawnRows, openFile } from '../actions'
+import { chooseFromMapMenu, drawnRows, openFile } from '../actions'
 import { expect, test } from '../fixtures'
 import { openScenario, press, type SavedFile, save, stepsInAll } from '../steps'
 
@@ -100,6 +100,26 @@ test('the picture as it stands is saved as PNG', async ({ page }) => {
   const atBeginning = await shown()
   expect(await atBeginning(4, 15)).toBe(theme.cell.unsensed)
   expect(await atBeginning(1, 10)).toBe(theme.obstacle.unsensed)
+})
+
+test('a picture of noise is not saved where the browser gives out nothing else', async ({
+  page,
+}) => {
+  await page.evaluate(() => {
+    const { getImageData } = CanvasRenderingContext2D.prototype
+    CanvasRenderingContext2D.prototype.getImageData = function (...box) {
+      const image = getImageData.apply(this, box)
+      return new ImageData(crypto.getRandomValues(image.data), image.width)
+    }
+  })
+  const downloads: string[] = []
+  page.on('download', (download) => downloads.push(download.suggestedFilename()))
+  await chooseFromMapMenu(page, 'Save picture (PNG)')
+  await expect(
+    page.getByText(/^Nothing was saved\. To guard your privacy, this browser/),
+  ).toBeVisible()
+  await chooseFromMapMenu(page, 'Save picture (SVG)')
+  await expect.poll(() => downloads).toEqual(['path-planner-11x18-bug2.svg'])
 })
 
 test('the picture as it stands is saved as SVG', async ({ page }) => {

@@ -67,13 +67,27 @@ function cellWithin({ problem }: Scene, size: number, longest: number): number {
   return Math.max(1, Math.floor(Math.min(size, most)))
 }
 
+/** Whether the browser gives out what was drawn on a canvas, give or take a little. */
+function canBeRead(): boolean {
+  const context = newContext(1, 1)
+  context.fillStyle = 'rgb(40 80 160)'
+  context.fillRect(0, 0, 1, 1)
+  const { data } = context.getImageData(0, 0, 1, 1)
+  return [40, 80, 160, 255].every((value, i) => Math.abs(value - data[i]) < 8)
+}
+
 /**
  * The picture of the whole map as a PNG.
  * @param cellSize side of a cell in pixels; less if it is more than 128 or a side of the picture
  *   would be more than 8192
- * @throws Error if the browser cannot make a picture of this size
+ * @throws Error if the browser cannot make a picture of this size, or gives out none
  */
 export async function pictureAsPng(scene: Scene, cellSize?: number): Promise<Blob> {
+  if (!canBeRead()) {
+    throw new Error(
+      'To guard your privacy, this browser gives out noise for what a page draws. Allow this page to read its canvases, or save an SVG.',
+    )
+  }
   const usual = cellWithin(scene, PNG_CELL, USUAL_SIDE)
   const asked = Math.min(cellSize ?? usual, GREATEST_CELL)
   const { place, width, height } = wholeMap(scene, cellWithin(scene, asked, GREATEST_SIDE))
