@@ -140,7 +140,7 @@ const keyPressOf = ({ key, ctrlKey, metaKey, shiftKey }: KeyboardEvent): KeyPres
 /** Such a key would switch on and off again and again while it is held down. */
 const isSwitch = ({ key }: KeyPress): boolean => key.toLowerCase() === 'k'
 
-const TEXT_FIELDS = 'input:not([type=checkbox], [type=radio], [type=range]), textarea'
+const TEXT_FIELDS = 'input:not([type=checkbox], [type=radio], [type=range])'
 
 const isTextField = (target: EventTarget | null): boolean =>
   target instanceof Element && target.matches(TEXT_FIELDS)
