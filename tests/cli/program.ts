@@ -7,7 +7,7 @@ import { afterAll, beforeAll, vi } from 'vitest'
 import { SMALL } from '../experiments/settings'
 
 /** A folder for the program, built as `npm run build` does it, and for the files of the tests. */
-export const folder = mkdtempSync(join(tmpdir(), 'path-planner-'))
+const folder = mkdtempSync(join(tmpdir(), 'path-planner-'))
 export const pathOf = (name: string): string => join(folder, name)
 
 /** Programs take their time to start on a busy machine. */

@@ -27,7 +27,7 @@ export interface Shown {
 }
 
 /** What the worker is doing for the setup on screen. */
-export type Run =
+type Run =
   | { readonly kind: 'settled' }
   /** `slow` once it lasts so long that the user should know; `done` from 0 to 1. */
   | { readonly kind: 'running'; readonly slow: boolean; readonly done: number }
