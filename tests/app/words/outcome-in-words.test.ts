@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest'
 import type { Outcome } from '../../../src/algorithms/plan'
+import { timeInWords } from '../../../src/app/words/numbers'
 import {
   outcomeInWords,
   outcomeNumbers,
   reasonInWords,
-  timeInWords,
   toneOf,
-} from '../../../src/app/words/words'
+} from '../../../src/app/words/outcome-in-words'
 
 const WIDTH = 10
 
