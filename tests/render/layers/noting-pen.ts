@@ -30,7 +30,8 @@ export class NotingPen implements Pen {
   textBaseline: CanvasTextBaseline = 'alphabetic'
   readonly shapes: Shape[] = []
   #dash: readonly number[] = []
-  #lines: Point[][] = []
+  /** At first what others have drawn: each layer has to begin a path of its own. */
+  #lines: Point[][] = [[{ x: -1000, y: -1000 }]]
   #circles: Circle[] = []
 
   setLineDash(segments: Iterable<number>): void {
@@ -58,7 +59,8 @@ export class NotingPen implements Pen {
   }
 
   /** A circle is drawn on from where the path is, so a new part of the path has to begin on it. */
-  arc(x: number, y: number, radius: number): void {
+  arc(x: number, y: number, radius: number, from: number, to: number): void {
+    if (from !== 0 || to !== 2 * Math.PI) throw new Error('That is no circle.')
     const before = this.#lines.pop()
     if (before && (before.length > 1 || before[0].x !== x + radius || before[0].y !== y)) {
       throw new Error('A line leads to the circle.')
