@@ -49,6 +49,14 @@ describe('the main button', () => {
     expect(store.state.history.past).toEqual([])
   })
 
+  it('makes no new map where it changes nothing', () => {
+    press(at(0, 1))
+    move(at(3, 1))
+    const { setup } = store.state
+    move(at(1, 1), at(0, 0))
+    expect(store.state.setup).toBe(setup)
+  })
+
   it('draws a single cell with a click', () => {
     press(at(4, 1))
     release()

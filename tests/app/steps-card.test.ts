@@ -115,6 +115,17 @@ describe('the numbers of a step', () => {
     expect(rows).toMatchObject({ Phase: 'Path', Cost: '7' })
   })
 
+  it('tell on which side the boundary is, of planners with a rover only', () => {
+    const boundary = (moment: Moment) =>
+      stepNumbers(moment).find(({ label }) => label === 'Boundary')?.value
+    const begin = toStep(stateOf('bug2'), 0)
+    const hit = momentAt(toNextLandmark(begin))
+    expect(boundary(momentAt(begin))).toBe('not followed')
+    expect(boundary(hit)).toBe('on the left')
+    expect(boundary({ ...hit, frame: { ...hit.frame, turn: 1 } })).toBe('on the right')
+    expect(boundary(momentAt(stateOf('decomposition')))).toBeUndefined()
+  })
+
   it('say that a roadmap has more edges than are on the tape', () => {
     const state = stateOf('visibility-graph')
     const moment = momentAt(state)
@@ -166,6 +177,7 @@ describe('the numbers of a step', () => {
     [12345.678, '12,345.68'],
     [1e7, '10,000,000'],
     [Number.POSITIVE_INFINITY, '∞'],
+    [Number.NEGATIVE_INFINITY, '−∞'],
     [Number.NaN, '–'],
   ])('are short: %d', (number, words) => {
     expect(numberInWords(number)).toBe(words)

@@ -34,6 +34,8 @@ describe('a compared plan', () => {
     const { status, measure, sensed, path } = plan(setup.problem, 'tangent-bug', { params })
     expect(told).toMatchObject({ status, ...measure, effort: sensed, walked: path.length - 1 })
     expect([...told.path]).toEqual([...path])
+    expect(told.milliseconds).toBeGreaterThanOrEqual(0)
+    expect(told.milliseconds).toBeLessThan(performance.now())
     const usual = entryOf('tangent-bug').plan
     expect(told.effort).not.toBe(usual.effort)
   })
@@ -94,6 +96,14 @@ describe('the table', () => {
   it('is sorted by names', () => {
     expect(sorted('Planner', false)[0].plannerId).toBe('bug1')
     expect(sorted('Planner', true)[0].plannerId).toBe('visibility-graph')
+  })
+
+  it('has a time when it was taken, a sign that it will be, or none for what cannot be run', () => {
+    const entry = entryOf('bug1')
+    expect(textOf('Time', entry)).toBe('…')
+    expect(textOf('Time', { ...entry, milliseconds: 0.25 })).toBe('250 µs')
+    const wrong = withSettings(walled, 'probabilistic-roadmap', { samples: -3 })
+    expect(textOf('Time', entryOf('probabilistic-roadmap', wrong))).toBe('–')
   })
 
   it('tells times below a millisecond in microseconds', () => {

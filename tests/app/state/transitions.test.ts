@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { dismiss, tell } from '../../../src/app/state/messages'
 import { withMark } from '../../../src/app/state/setup'
-import { isSettled, type State, visiblePlan } from '../../../src/app/state/state'
+import { cellAskedAbout, isSettled, type State, visiblePlan } from '../../../src/app/state/state'
 import {
   attempt,
   cancel,
@@ -188,6 +188,13 @@ describe('a plan', () => {
     const edited = change(shownAgain, moved(shownAgain, 9), 'Moved.')
     expect(redo(edited).pathHidden).toBe(false)
   })
+})
+
+it('the cell that is asked about is that under the mouse, else that of the cursor', () => {
+  const asked = (hovered: number, cursorShown: boolean) =>
+    cellAskedAbout({ ...begin, hovered, cursorShown, cursor: 5 })
+  expect([asked(3, false), asked(3, true), asked(0, true)]).toEqual([3, 3, 0])
+  expect([asked(-1, false), asked(-1, true)]).toEqual([-1, 5])
 })
 
 describe('messages', () => {
