@@ -177,10 +177,9 @@ describe('a player', () => {
         for (const time of times) {
           const clamped = Math.max(0, Math.min(time, list.length))
           expect(player.moveTo(time)).toEqual(picture(list.slice(0, clamped)))
-          expect(player.frame).toEqual(frameAt(tape, clamped))
         }
       }),
-      { numRuns: 500 },
+      { numRuns: 200 },
     )
   })
 
