@@ -175,11 +175,11 @@ describe('the other buttons and Space', () => {
       release()
     }
     click(1, 1)
-    click(4, 0)
+    click(0, 0)
     click(0, 3)
     expect(store.state.setup.problem).toMatchObject({
       start: cells([0, 3])[0],
-      goal: cells([4, 0])[0],
+      goal: cells([0, 0])[0],
     })
     expect(store.state.history.past.length).toBe(3)
   })

@@ -218,6 +218,11 @@ describe('what is known of a cell, in words', () => {
       return cellFactsInWords(momentAt(state), state.setup.problem, cell)
     }
     expect(words('decomposition', 1)).toBe('Vertex; closed, cost 1 by way of (0, 0).')
+    // (1, 1) is an obstacle, and no vertex of the grid's graph.
+    expect(words('decomposition', 6)).toBe('')
+    expect(words('bug2', 6)).toMatch(
+      /^Cell 1 of the m-line; at its side while it followed the boundary; sensed /,
+    )
     expect(words('potential-field', 24)).toMatch(/^Attraction 0; repulsion 0; potential 0/)
     expect(words('bug2', 0)).toMatch(/^Hit point 1; cell 0 of the m-line; stood on after 0 steps;/)
     // The latest three times of three, and of four.

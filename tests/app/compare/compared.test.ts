@@ -4,6 +4,7 @@ import { planners } from '../../../src/algorithms/planners'
 import { COLUMNS, medianInWords, sortEntries } from '../../../src/app/compare/columns'
 import { comparedPaths, styleOf } from '../../../src/app/compare/paths'
 import {
+  comparisonFailed,
   comparisonInWords,
   comparisonReady,
   planCompared,
@@ -169,6 +170,18 @@ describe('the comparison in the state', () => {
     )
     expect(comparisonReady(full, walled).said.text).toBe(words)
     expect(comparisonReady(full, { ...walled, seed: 2 })).toBe(full)
+  })
+
+  it('says why there is none, if it is the map on screen that was not compared', () => {
+    const failed = comparisonFailed(full, walled, 'out of memory')
+    expect(failed.comparison).toMatchObject({
+      entries: [],
+      fault: 'Nothing was compared: out of memory.',
+    })
+    expect(comparisonFailed(full, { ...walled, seed: 2 }, 'old')).toBe(full)
+    const ended = toggleComparison(full)
+    expect(comparisonFailed(ended, walled, 'late')).toBe(ended)
+    expect(planCompared(failed, walled, entryOf('bug1').plan).comparison.fault).toBe('')
   })
 
   it('ends, and takes nothing that comes late', () => {
