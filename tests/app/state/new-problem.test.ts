@@ -41,6 +41,9 @@ describe('new maps', () => {
     const cut = resizedProblem(drawn, 3, 2)
     checkProblem(cut)
     expect([cut.start, cut.goal]).toEqual([1, 5])
+    // From the edge, not from where it was: of the cells around (1, 1) the first, above it.
+    const below = resizedProblem(problemFromText('S..\n.#.\n.G.'), 3, 2)
+    expect(below.goal).toBe(1)
   })
 
   it('without a free cell are refused in words', () => {

@@ -87,6 +87,7 @@ describe('a page that is opened by a link', () => {
     const isLinked = bindLink(store)
     edit(2)
     expect(replaced).not.toHaveBeenCalled()
+    expect(store.state.messages).toEqual([])
     expect(isLinked(store.state.setup)).toBe(false)
   })
 })
