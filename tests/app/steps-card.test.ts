@@ -218,6 +218,7 @@ describe('what is known of a cell, in words', () => {
       return cellFactsInWords(momentAt(state), state.setup.problem, cell)
     }
     expect(words('decomposition', 1)).toBe('Vertex; closed, cost 1 by way of (0, 0).')
+    expect(words('decomposition', 0)).toBe('Cell 0 of the path; vertex; closed, cost 0.')
     // (1, 1) is an obstacle, and no vertex of the grid's graph.
     expect(words('decomposition', 6)).toBe('')
     expect(words('bug2', 6)).toMatch(

@@ -99,6 +99,13 @@ describe('the table', () => {
     expect(sorted('Planner', true)[0].plannerId).toBe('visibility-graph')
   })
 
+  it('says whether its effort was expanded or sensed, if there was any', () => {
+    const [search, bug] = [entryOf('decomposition'), entryOf('bug1')]
+    expect(textOf('Effort', search)).toBe(`${search.plan.effort} exp.`)
+    expect(textOf('Effort', bug)).toBe(`${bug.plan.effort} sensed`)
+    expect(textOf('Effort', entryOf('potential-field'))).toBe('–')
+  })
+
   it('has a time when it was taken, a sign that it will be, or none for what cannot be run', () => {
     const entry = entryOf('bug1')
     expect(textOf('Time', entry)).toBe('…')
