@@ -40,6 +40,16 @@ export function run(...args: string[]) {
   return { status, stdout, stderr }
 }
 
+/** Runs the program with its output going into another one. */
+export function runInto(reader: string, ...args: string[]) {
+  const pipe = `"$0" "$@" | ${reader}`
+  const { stdout, stderr } = spawnSync('sh', ['-c', pipe, process.execPath, ...start(args)], {
+    cwd: folder,
+    encoding: 'utf8',
+  })
+  return { stdout, stderr }
+}
+
 /** Starts the program and sends it a signal as soon as its output file has so many bytes. */
 export async function runUntil(bytes: number, signal: NodeJS.Signals, out: string, args: string[]) {
   const child = spawn(process.execPath, start([...args, '--out', out]), { cwd: folder })
