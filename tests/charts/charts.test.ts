@@ -178,6 +178,19 @@ describe('the words', () => {
     expect(new Set(marks.map(({ value }) => value)).size).toBeGreaterThan(1)
   })
 
+  it('of success over density count the settings that never failed, and tell of the others', () => {
+    const { series, marks, summary } = chart('success')
+    const curves = series.map((_, number) => marks.filter((mark) => mark.series === number))
+    const failing = curves.filter((own) => own.some(({ y }) => y < 1))
+    expect([failing.length > 0, failing.length < curves.length]).toEqual([true, true])
+    const always = curves.length - failing.length
+    expect(summary).toContain(`${always} of ${curves.length} planner settings always reached it.`)
+    for (const own of failing) {
+      const [from, to] = [own[0], own[own.length - 1]].map(({ y }) => `${(100 * y).toFixed(1)} %`)
+      expect(summary).toContain(`${series[own[0].series].name} from ${from} to ${to}`)
+    }
+  })
+
   it('of a success have its share, its numbers and its interval', () => {
     const share = { rate: 0.9141, low: 0.8673, high: 0.9466 }
     const success = { ...share, rows: rows.slice(0, 20), failures: rows.slice(0, 2) }

@@ -149,6 +149,13 @@ describe('the marks of a moment', () => {
     expect(strokes(marks('whole', left), theme.hit)).toHaveLength(0)
   })
 
+  it('have the start and the goal, at every moment', () => {
+    for (const shapes of [marks('whole', follow), marks('thinned', () => {})]) {
+      const filled = shapes.filter(({ by }) => by === 'fill').map(({ colour }) => colour)
+      expect(filled).toEqual(expect.arrayContaining([theme.start, theme.goal]))
+    }
+  })
+
   it('have a target until the rover is there', () => {
     const ringAt = (target: number) =>
       marks('whole', (tape) => tape.write(EVENT.target, target)).some(
