@@ -5,7 +5,7 @@ import { join, resolve } from 'node:path'
 import { build } from 'vite'
 import { expect, test } from 'vitest'
 import type { OfflinePlanner } from '../src/algorithms/planner'
-import { countWork, firstIllegalStep, planners, readSettings, Tape } from '../src/index'
+import { countWork, firstIllegalStep, frameAt, planners, readSettings, Tape } from '../src/index'
 import { mapNumber } from './reference/maps'
 import { isReachable, problemOf, RULES } from './reference/world'
 
@@ -67,6 +67,10 @@ test('the planner in CONTRIBUTING.md is what it says: complete', async () => {
     const { status, path } = greedyBestFirst.plan(problem, context)
     expect(status).toBe(isReachable(world) ? 'reached' : 'unreachable')
     expect(firstIllegalStep(problem, path)).toBe(-1)
-    if (status === 'reached') expect([path[0], path.at(-1)]).toEqual([problem.start, problem.goal])
+    if (status === 'reached') {
+      expect([path[0], path.at(-1)]).toEqual([problem.start, problem.goal])
+      // The page tells the cost that the tape has.
+      expect(frameAt(context.tape, context.tape.length).cost).toBe(path.length - 1)
+    }
   }
 })
