@@ -36,6 +36,17 @@ test('the program in README.md runs in Node and prints what is said', async () =
   }
 })
 
+test('README.md names the versions of Node that the tools run with', () => {
+  const nodeFor = (folder: string): string =>
+    JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')).engines.node
+  const ours = nodeFor('.')
+  // The builder takes no 22 before 22.12, the tests run with no odd version.
+  expect(nodeFor('node_modules/vite')).toBe('^20.19.0 || >=22.12.0')
+  expect(nodeFor('node_modules/vitest')).toBe('^20.0.0 || ^22.0.0 || >=24.0.0')
+  expect(ours).toBe('^20.19 || ^22.12 || >=24')
+  expect(readme).toContain(`${ours.match(/[\d.]+/g)?.join(', ')} or newer`)
+})
+
 test('the settings in README.md can be run, and the fault in it is the one that is told', () => {
   const settings = readSettings(block(readme, 'json'))
   // Three densities and a maze in two sizes, and a map; each 100 times.
