@@ -49,6 +49,14 @@ describe('the main button', () => {
     expect(store.state.history.past).toEqual([])
   })
 
+  it('makes no new map where it changes nothing', () => {
+    press(at(0, 1))
+    move(at(3, 1))
+    const { setup } = store.state
+    move(at(1, 1), at(0, 0))
+    expect(store.state.setup).toBe(setup)
+  })
+
   it('draws a single cell with a click', () => {
     press(at(4, 1))
     release()
@@ -131,6 +139,17 @@ describe('a map that is opened meanwhile', () => {
     expect(hand.isBusy).toBe(false)
   })
 
+  it('ends what two fingers do', () => {
+    hand.press({ id: 1, place: at(1, 1), button: 'main', isTouch: true })
+    hand.press({ id: 2, place: at(3, 1), button: 'main', isTouch: true })
+    hand.move(2, [at(4, 1)])
+    open()
+    const { view } = store.state
+    hand.move(2, [at(2, 1)])
+    expect(store.state.view).toBe(view)
+    expect(hand.isBusy).toBe(false)
+  })
+
   it('leaves the stroke before it as a step to undo', () => {
     press(at(1, 0))
     move(at(2, 0))
@@ -167,11 +186,11 @@ describe('the other buttons and Space', () => {
       release()
     }
     click(1, 1)
-    click(4, 0)
+    click(0, 0)
     click(0, 3)
     expect(store.state.setup.problem).toMatchObject({
       start: cells([0, 3])[0],
-      goal: cells([4, 0])[0],
+      goal: cells([0, 0])[0],
     })
     expect(store.state.history.past.length).toBe(3)
   })
@@ -199,13 +218,37 @@ describe('two fingers', () => {
     expect(store.state.setup).toBe(setup)
     hand.move(1, [at(1, 0)])
     hand.move(2, [at(4, 0)])
-    expect(store.state.view.scale).toBeCloseTo(60)
+    // What lay under each finger lies there still.
+    expect(store.state.view).toEqual({ scale: 60, left: -30, top: -10 })
     const { view } = store.state
     hand.release(2, true)
     hand.move(1, [at(5, 3)])
     hand.release(1, true)
     expect(store.state.view).toEqual(view)
     expect(store.state.setup).toBe(setup)
+  })
+
+  it('at the largest scale move the map and leave its scale alone, though they move one by one', () => {
+    finger(1, at(1, 1))
+    finger(2, at(1, 2))
+    hand.move(2, [at(1, 9)])
+    hand.release(1, true)
+    hand.release(2, true)
+    const { scale, left, top } = store.state.view
+    finger(1, at(1, 6))
+    finger(2, at(1, 9))
+    hand.move(1, [at(1, 4)])
+    hand.move(2, [at(1, 7)])
+    expect(store.state.view).toEqual({ scale, left, top: top - 80 })
+  })
+
+  it('take back what they have zoomed when they come back, beyond the limits too', () => {
+    const { view } = store.state
+    finger(1, at(1, 1))
+    finger(2, at(1, 2))
+    hand.move(2, [at(1, 12)])
+    hand.move(2, [at(1, 2)])
+    expect(store.state.view).toEqual(view)
   })
 
   it('may begin at one place', () => {

@@ -1,10 +1,20 @@
 import { existsSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { describe, expect, test } from 'vitest'
 import { runMaps } from '../../src/cli/pool'
 import { openResults, readSettings, runMap } from '../../src/index'
 import { timeless } from '../experiments/settings'
-import { pathOf, run, runUntil, settingsFile, textOf, timelessText, useProgram } from './program'
+import {
+  pathOf,
+  run,
+  runInto,
+  runUntil,
+  settingsFile,
+  textOf,
+  timelessText,
+  useProgram,
+} from './program'
 
 useProgram()
 
@@ -44,6 +54,14 @@ describe('the rows are the same', () => {
     expect(timelessText(merged)).toBe(timelessText(run(settings).stdout))
     expect(run('--merge', ...files).stdout).toBe(merged)
     expect(existsSync(pathOf('merged.jsonl.part'))).toBe(false)
+  })
+
+  test('in folders that were not there, of a run and of a merge', () => {
+    const settings = settingsFile('small.json')
+    expect(run(settings, '--out', join('new', 'folder', 'rows.jsonl')).status).toBe(0)
+    const args = [join('new', 'folder', 'rows.jsonl'), '--out', join('other', 'merged.jsonl')]
+    expect(run('--merge', ...args).status).toBe(0)
+    expect(textOf('other/merged.jsonl')).toBe(textOf('new/folder/rows.jsonl'))
   })
 
   test('merged from more shards than there are maps', () => {
@@ -159,6 +177,13 @@ describe('shards are only merged', () => {
     writeFileSync(pathOf('empty.jsonl'), '')
     expect(fault(a, 'empty.jsonl')).toContain('empty.jsonl is empty.')
   })
+})
+
+test('a reader that has seen enough ends a run, and nothing is said of it', () => {
+  const settings = settingsFile('longer.json', LONGER)
+  const { stdout, stderr } = runInto('head -n 1', settings, '--workers', '2')
+  expect(JSON.parse(stdout).settings).toMatchObject(LONGER)
+  expect(stderr).not.toMatch(/EPIPE|error/i)
 })
 
 test('what cannot be written ends a run, and of a merge nothing is left', async () => {

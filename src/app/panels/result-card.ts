@@ -4,17 +4,18 @@ import type { Planning } from '../planning/planning'
 import { plannerOf } from '../state/setup'
 import type { State } from '../state/state'
 import { PATH_HIDDEN } from '../state/transitions'
-import { outcomeInWords, outcomeNumbers, type Row, reasonInWords, toneOf } from '../words/words'
+import type { NumberRow } from '../words/numbers'
+import { outcomeInWords, outcomeNumbers, reasonInWords, toneOf } from '../words/outcome-in-words'
 import { showRows } from './rows'
 
 interface Report {
   readonly tone: IconName
   readonly words: string
   readonly detail: string
-  readonly rows: readonly Row[]
+  readonly rows: readonly NumberRow[]
 }
 
-const NO_ROWS: readonly Row[] = []
+const NO_ROWS: readonly NumberRow[] = []
 
 /** What the result card says of a state. */
 export function reportOf({ run, shown, pathHidden, setup }: State): Report {

@@ -1,6 +1,7 @@
+import type { Size } from '../grid'
 import { randomInteger } from '../random'
 import { withEndsMadeFree } from './ends-made-free'
-import { generator, type Size } from './generator'
+import { generator } from './generator'
 
 export const blocks = generator({
   id: 'blocks',
@@ -35,7 +36,7 @@ export const blocks = generator({
       max: 100,
       default: 30,
       unit: '%',
-      help: 'Share of the blocks that are hollow, with one to three doors in their walls.',
+      help: 'Share of the blocks from 3 cells wide that are hollow, with one to three doors in their walls.',
     },
   ],
 
