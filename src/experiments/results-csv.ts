@@ -1,9 +1,9 @@
 import { InputError } from '../grid/errors'
 import { describe } from '../grid/excerpt'
+import { readRows } from './read-rows'
 import { originToJson, type Results, readOrigin } from './results'
 import { parseLine } from './results-json'
 import type { Row } from './row'
-import { rowReader } from './row-reader'
 
 type Value = string | number | boolean | null
 
@@ -64,19 +64,18 @@ export function resultsFromCsv(text: string): Results {
   if (!comment.startsWith('# ')) throw new InputError('Line 1 must be "# " and the settings.')
   const origin = readOrigin(parseLine(comment.slice(2), 1))
   const names = (header ?? '').split(',')
-  const read = rowReader(origin)
-  const rows = lines.map((line, i) => {
-    const number = `Line ${i + 3}`
+  const nameOf = (i: number) => `Line ${i + 3}`
+  const jsonOf = (line: string, i: number) => {
     const values = splitLine(line)
     if (values.length !== names.length) {
       throw new InputError(
-        `${number} has ${values.length} values, but there are ${names.length} columns.`,
+        `${nameOf(i)} has ${values.length} values, but there are ${names.length} columns.`,
       )
     }
     const row = names.map((name, k) => [name, valueIn(values[k], WORDS.has(name))] as const)
-    return read(unflatten(Object.fromEntries(row)), number)
-  })
-  return { ...origin, rows }
+    return unflatten(Object.fromEntries(row))
+  }
+  return { ...origin, rows: readRows(origin, lines, jsonOf, nameOf) }
 }
 
 function flatten({ start, goal, mapParams, params, ...plain }: Row): Record<string, Value> {

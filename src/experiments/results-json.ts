@@ -1,9 +1,9 @@
 import { InputError } from '../grid/errors'
 import { describe } from '../grid/excerpt'
 import { parseJson } from '../grid/formats/json'
+import { readRows } from './read-rows'
 import { type Origin, originToJson, type Results, readOrigin } from './results'
 import type { Row } from './row'
-import { rowReader } from './row-reader'
 
 /** The first of the JSON lines, without its end: what the rows after it come from. */
 export const originToLine = (origin: Origin): string => JSON.stringify(originToJson(origin))
@@ -24,8 +24,8 @@ export function resultsFromLines(text: string): Results {
   const [first, ...others] = text.split('\n')
   const origin = readOrigin(parseLine(first, 1))
   others.pop()
-  const read = rowReader(origin)
-  return { ...origin, rows: others.map((line, i) => read(parseLine(line, i + 2), `Line ${i + 2}`)) }
+  const jsonOf = (line: string, i: number) => parseLine(line, i + 2)
+  return { ...origin, rows: readRows(origin, others, jsonOf, (i) => `Line ${i + 2}`) }
 }
 
 /**
@@ -54,6 +54,6 @@ export function resultsFromJson(text: string): Results {
   const value = Object(parseJson(text))
   const origin = readOrigin(value)
   if (!Array.isArray(value.rows)) throw new InputError('"rows" must be a list.')
-  const read = rowReader(origin)
-  return { ...origin, rows: value.rows.map((row: unknown, i: number) => read(row, `Row ${i}`)) }
+  const jsonOf = (row: unknown) => row
+  return { ...origin, rows: readRows(origin, value.rows, jsonOf, (i) => `Row ${i}`) }
 }
