@@ -9,6 +9,8 @@ import { type State, visiblePlan } from '../state/state'
 import type { Store } from '../state/store'
 import { say } from '../state/transitions'
 import { download } from './download'
+import { blobInSlices } from './in-slices'
+import { type ShownWork, showWork } from './shown-work'
 
 /** A file as it is handed to the browser. */
 interface Saved {
@@ -30,7 +32,7 @@ async function mapFile({ grid }: Problem): Promise<Saved> {
 }
 
 /** The trace of the plan on screen, and the map that it opens upon. */
-async function traceFiles(state: State): Promise<Saved[]> {
+async function traceFiles(state: State, { progress, signal }: ShownWork): Promise<Saved[]> {
   const shown = visiblePlan(state)
   if (!shown) throw new Error('There is no plan on screen.')
   const { posthocTrace } = await fetchedPart(import('../../trace/posthoc'))
@@ -40,7 +42,8 @@ async function traceFiles(state: State): Promise<Saved[]> {
   const map = await mapFile(problem)
   const info = { plannerId: id, title, phases, variables, problem, mapFile: map.name }
   const name = `${nameOf(problem.grid)}-${id}.trace.json`
-  return [{ name, content: posthocTrace(tape, info) }, map]
+  const content = await blobInSlices(posthocTrace(tape, info, { progress }), signal)
+  return [{ name, content }, map]
 }
 
 async function pictureFile({ setup }: State, scene: Scene, kind: 'png' | 'svg'): Promise<Saved> {
@@ -53,9 +56,10 @@ async function pictureFile({ setup }: State, scene: Scene, kind: 'png' | 'svg'):
 
 /** What saves, by the name of the menu's entry. If it fails, a message says why. */
 export function savers(store: Store<State>, sceneNow: () => Scene) {
-  const save = (files: (state: State) => Promise<readonly Saved[]>) => () => {
-    void files(store.state).then(
+  const save = (files: (state: State, work: ShownWork) => Promise<readonly Saved[]>) => () => {
+    void showWork(store, 'Saving…', (work) => files(store.state, work)).then(
       (saved) => {
+        if (!saved) return store.update((state) => tell(state, 'note', 'Saving was cancelled.'))
         for (const { name, content } of saved) download(content, typeOf(name), name)
         const names = saved.map(({ name }) => name).join(' and ')
         store.update((state) => say(state, `Saved as ${names}.`))

@@ -5,6 +5,7 @@ import { plannerOf } from '../state/setup'
 import type { State } from '../state/state'
 import { PATH_HIDDEN } from '../state/transitions'
 import { outcomeInWords, outcomeNumbers, type Row, reasonInWords, toneOf } from '../words/words'
+import { showProgress } from './progress'
 import { showRows } from './rows'
 
 interface Report {
@@ -71,23 +72,10 @@ export function resultCard(planning: Planning): (state: State) => void {
     setText(detail, report.detail)
     detail.hidden = report.detail === ''
     progress.hidden = !isSlow
-    if (run.kind === 'running') {
-      showProgress(bar, run.done)
-    }
+    if (run.kind === 'running') showProgress(bar, run.done)
     again.hidden = run.kind !== 'cancelled' && run.kind !== 'failed'
     // The button that was pressed goes, and the focus would go with it.
     if (focused && !isSeen(focused)) [again, cancel, fold].find(isSeen)?.focus()
     showRows(table, report.rows)
   }
-}
-
-/** A planner that has not said yet how far it is gets a bar that only moves. */
-function showProgress(bar: HTMLElement | null, done: number): void {
-  const filling = bar?.firstElementChild
-  if (!bar || !(filling instanceof HTMLElement)) return
-  const percent = Math.round(done * 100)
-  filling.className = percent > 0 ? 'determinate' : 'indeterminate'
-  filling.style.width = percent > 0 ? `${percent}%` : ''
-  if (percent > 0) bar.setAttribute('aria-valuenow', String(percent))
-  else bar.removeAttribute('aria-valuenow')
 }
