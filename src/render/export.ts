@@ -13,14 +13,11 @@ import { planOnMap, type Scene } from './scene'
 import { svgCells } from './svg-cells'
 import { SvgPen, svgPaint } from './svg-pen'
 
-/** Side of a cell in pixels, unless the map is too large for that or another size is asked for. */
+/** Side of a cell in pixels, unless the map is too large for that. */
 const PNG_CELL = 48
 const SVG_CELL = 32
 /** Longer side of the map in pixels up to which cells have that size. */
-const USUAL_SIDE = 4096
-/** With the margins 8192 at most: browsers draw no canvas that is much larger. */
-const GREATEST_CELL = 128
-const GREATEST_SIDE = 8128
+const LONGEST_SIDE = 4096
 /** Around the map, as wide as it is on the screen: room for marks that are larger than their cells. */
 const MARGIN = 8
 /** With cells of this size, lines and marks are as wide as on the screen; they grow with larger ones. */
@@ -60,23 +57,18 @@ function drawUponCells(pen: Pen, place: Placement, scene: Scene, range: FieldRan
   drawMarks(pen, place, scene)
 }
 
-/** A whole number of pixels, `size` unless the map's longer side would then pass `longest`. */
-function cellWithin({ problem }: Scene, size: number, longest: number): number {
+/** Side of a cell: a whole number of pixels, `size` unless the picture would be too large. */
+function cellSide({ problem }: Scene, size: number): number {
   const { width, height } = problem.grid
-  const most = longest / Math.max(width, height)
-  return Math.max(1, Math.floor(Math.min(size, most)))
+  return Math.floor(Math.min(size, LONGEST_SIDE / Math.max(width, height)))
 }
 
 /**
  * The picture of the whole map as a PNG.
- * @param cellSize side of a cell in pixels; less if it is more than 128 or a side of the picture
- *   would be more than 8192
  * @throws Error if the browser cannot make a picture of this size
  */
-export async function pictureAsPng(scene: Scene, cellSize?: number): Promise<Blob> {
-  const usual = cellWithin(scene, PNG_CELL, USUAL_SIDE)
-  const asked = Math.min(cellSize ?? usual, GREATEST_CELL)
-  const { place, width, height } = wholeMap(scene, cellWithin(scene, asked, GREATEST_SIDE))
+export async function pictureAsPng(scene: Scene): Promise<Blob> {
+  const { place, width, height } = wholeMap(scene, cellSide(scene, PNG_CELL))
   const context = newContext(width, height)
   const image = new CellImage()
   const cells = new CellCanvas()
@@ -104,7 +96,7 @@ export function pictureAsSvg(scene: Scene): string {
   const image = new CellImage()
   image.update(scene)
   const cells = svgCells(image.pixels, problem.grid.width)
-  const cell = cellWithin(scene, SVG_CELL, USUAL_SIDE)
+  const cell = cellSide(scene, SVG_CELL)
   const { place, width, height } = wholeMap(scene, cell)
   const below = new SvgPen()
   drawBorder(below, place, theme)
