@@ -26,6 +26,12 @@ const SCREEN_CELL = 32
 /** More vertices, or lines of a roadmap, than this are left out. */
 const MOST_DRAWN = 100_000
 
+/** A picture as a file, and whether vertices or edges are left out of it. */
+interface SavedPicture<Content> {
+  readonly content: Content
+  readonly isCrowded: boolean
+}
+
 interface WholeMap {
   readonly place: Placement
   readonly width: number
@@ -43,18 +49,30 @@ function wholeMap({ problem }: Scene, cell: number): WholeMap {
   return { place: placeMap(view, grid, { width, height, pixel }), width, height }
 }
 
-/** All that lies upon the cells. */
-function drawUponCells(pen: Pen, place: Placement, scene: Scene, range: FieldRange | null): void {
+/** All that lies upon the cells. Returns whether vertices or edges are left out. */
+function drawUponCells(
+  pen: Pen,
+  place: Placement,
+  scene: Scene,
+  range: FieldRange | null,
+): boolean {
   const frame = planOnMap(scene)?.frame
+  let isCrowded = false
   drawGround(pen, place, scene, range)
   if (frame) {
-    const lines = edgeLines(place.columns, place.rows, frame.edges)
-    const { vertices } = frame
-    if (lines.length <= 2 * MOST_DRAWN) drawEdges(pen, place, scene.theme, lines)
-    drawPlan(pen, place, scene.theme, frame, vertices.length <= MOST_DRAWN ? vertices : [])
+    const { vertices, edges, edgesCut } = frame
+    const lines = edgeLines(place.columns, place.rows, edges)
+    const [hidesEdges, hidesVertices] = [
+      lines.length > 2 * MOST_DRAWN,
+      vertices.length > MOST_DRAWN,
+    ]
+    if (!hidesEdges) drawEdges(pen, place, scene.theme, lines)
+    drawPlan(pen, place, scene.theme, frame, hidesVertices ? [] : vertices)
+    isCrowded = hidesEdges || hidesVertices || edgesCut
   }
   drawComparison(pen, place, scene.theme, scene.comparison)
   drawMarks(pen, place, scene)
+  return isCrowded
 }
 
 /** Side of a cell: a whole number of pixels, `size` unless the picture would be too large. */
@@ -67,7 +85,7 @@ function cellSide({ problem }: Scene, size: number): number {
  * The picture of the whole map as a PNG.
  * @throws Error if the browser cannot make a picture of this size
  */
-export async function pictureAsPng(scene: Scene): Promise<Blob> {
+export async function pictureAsPng(scene: Scene): Promise<SavedPicture<Blob>> {
   const { place, width, height } = wholeMap(scene, cellSide(scene, PNG_CELL))
   const context = newContext(width, height)
   const image = new CellImage()
@@ -78,10 +96,10 @@ export async function pictureAsPng(scene: Scene): Promise<Blob> {
   context.fillRect(0, 0, width, height)
   drawBorder(context, place, scene.theme)
   cells.draw(context, place)
-  drawUponCells(context, place, scene, image.fieldRange)
+  const isCrowded = drawUponCells(context, place, scene, image.fieldRange)
   return new Promise((resolve, reject) => {
     context.canvas.toBlob((blob) => {
-      if (blob) resolve(blob)
+      if (blob) resolve({ content: blob, isCrowded })
       else reject(new Error('This browser cannot make a picture of this size.'))
     }, 'image/png')
   })
@@ -91,7 +109,7 @@ export async function pictureAsPng(scene: Scene): Promise<Blob> {
  * The picture of the whole map as a standalone SVG file.
  * @throws InputError if the map's cells need too many rectangles
  */
-export function pictureAsSvg(scene: Scene): string {
+export function pictureAsSvg(scene: Scene): SavedPicture<string> {
   const { theme, problem } = scene
   const image = new CellImage()
   image.update(scene)
@@ -101,8 +119,8 @@ export function pictureAsSvg(scene: Scene): string {
   const below = new SvgPen()
   drawBorder(below, place, theme)
   const above = new SvgPen()
-  drawUponCells(above, place, scene, image.fieldRange)
-  return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">
+  const isCrowded = drawUponCells(above, place, scene, image.fieldRange)
+  const content = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">
 <title>Map of ${problem.grid.width} × ${problem.grid.height} cells</title>
 <rect width="${width}" height="${height}"${svgPaint('fill', theme.outside)}/>
 ${below.elements()}
@@ -112,4 +130,5 @@ ${cells}
 ${above.elements()}
 </svg>
 `
+  return { content, isCrowded }
 }

@@ -8,6 +8,7 @@ import { plannerOf } from '../state/setup'
 import { type State, visiblePlan } from '../state/state'
 import type { Store } from '../state/store'
 import { say } from '../state/transitions'
+import { leftOut } from '../words/thinning'
 import { download } from './download'
 import { blobInSlices } from './in-slices'
 import { type ShownWork, showWork } from './shown-work'
@@ -16,6 +17,8 @@ import { type ShownWork, showWork } from './shown-work'
 interface Saved {
   readonly name: string
   readonly content: string | Blob
+  /** What it leaves out, in words, if it does. */
+  readonly missing?: string
 }
 
 /** The map's name without an ending, the same for all files that belong together. */
@@ -43,15 +46,17 @@ async function traceFiles(state: State, { progress, signal }: ShownWork): Promis
   const info = { plannerId: id, title, phases, variables, problem, mapFile: map.name }
   const name = `${nameOf(problem.grid)}-${id}.trace.json`
   const content = await blobInSlices(posthocTrace(tape, info, { progress }), signal)
-  return [{ name, content }, map]
+  return [{ name, content, missing: leftOut(tape.thinning).words }, map]
 }
+
+const TOO_MANY = 'The picture leaves out vertices or edges, because they are too many.'
 
 async function pictureFile({ setup }: State, scene: Scene, kind: 'png' | 'svg'): Promise<Saved> {
   const { pictureAsPng, pictureAsSvg } = await fetchedPart(import('../../render/export'))
   const name = `${nameOf(setup.problem.grid)}-${setup.plannerId}.${kind}`
   const asMap = { ...scene, cursor: -1, hovered: -1 }
-  const content = kind === 'png' ? await pictureAsPng(asMap) : pictureAsSvg(asMap)
-  return { name, content }
+  const picture = kind === 'png' ? await pictureAsPng(asMap) : pictureAsSvg(asMap)
+  return { name, content: picture.content, missing: picture.isCrowded ? TOO_MANY : '' }
 }
 
 /** What saves, by the name of the menu's entry. If it fails, a message says why. */
@@ -63,6 +68,8 @@ export function savers(store: Store<State>, sceneNow: () => Scene) {
         for (const { name, content } of saved) download(content, typeOf(name), name)
         const names = saved.map(({ name }) => name).join(' and ')
         store.update((state) => say(state, `Saved as ${names}.`))
+        const missing = saved.flatMap((file) => file.missing || [])
+        if (missing.length > 0) store.update((state) => tell(state, 'note', missing.join(' ')))
       },
       (error: unknown) => {
         store.update((state) => tell(state, 'error', `Nothing was saved. ${messageOf(error)}`))
