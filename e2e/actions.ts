@@ -50,15 +50,20 @@ export async function drawnRows(page: Page): Promise<string[]> {
   return rows
 }
 
-/** Lets go of a file over the map. */
-export async function dropFile(page: Page, name: string, text: string): Promise<void> {
+/** Lets go of a file over the map, and of others with it. */
+export async function dropFile(
+  page: Page,
+  name: string,
+  text: string,
+  others: string[] = [],
+): Promise<void> {
   const dataTransfer = await page.evaluateHandle(
-    ([fileName, content]) => {
+    ([names, content]) => {
       const transfer = new DataTransfer()
-      transfer.items.add(new File([content], fileName))
+      for (const fileName of names) transfer.items.add(new File([content], fileName))
       return transfer
     },
-    [name, text] as const,
+    [[name, ...others], text] as const,
   )
   const map = page.getByRole('application')
   await map.dispatchEvent('dragover', { dataTransfer })

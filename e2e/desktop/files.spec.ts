@@ -96,6 +96,14 @@ test('a file dropped on the map is opened, and that is one step to undo', async 
   await expectResult(page, 'Reached in 8 cells')
 })
 
+test('of files that are dropped together the first is opened, and that is told', async ({
+  page,
+}) => {
+  await dropFile(page, 'first.txt', 'S..\n.#.\n..G', ['second.txt', 'third.scen'])
+  await expect(page.getByText('Opened first.txt: 3 × 3 cells.').first()).toBeVisible()
+  await expect(page.getByText('Of 3 files only the first, first.txt, was taken.')).toBeVisible()
+})
+
 test('of two files that are read at once, the one that was asked for last is opened', async ({
   map,
   page,

@@ -73,6 +73,6 @@ export function bindFiles(store: Store<PageState>): { open(): void; openMaps(): 
     void openMaps(store, [...(mapInput.files ?? [])])
     mapInput.value = ''
   })
-  onFileDropped(zone, (file) => void openFile(store, file))
+  onFileDropped(zone, store, (file) => void openFile(store, file))
   return { open: () => input.click(), openMaps: () => mapInput.click() }
 }

@@ -63,6 +63,6 @@ export function bindFiles(store: Store<State>): () => void {
     // The same file can be chosen again.
     input.value = ''
   })
-  onFileDropped(zone, open)
+  onFileDropped(zone, store, open)
   return () => input.click()
 }
