@@ -18,7 +18,7 @@ interface Report {
 const NO_ROWS: readonly Row[] = []
 
 /** What the result card says of a state. */
-export function reportOf({ run, shown, pathHidden, setup }: State): Report {
+export function reportOf({ run, shown, clearPath, setup }: State): Report {
   const title = plannerOf(setup).title
   if (run.kind === 'running' && (run.slow || !shown)) {
     const detail = `${title} is working.`
@@ -32,7 +32,7 @@ export function reportOf({ run, shown, pathHidden, setup }: State): Report {
     return { tone: 'bad', words: 'No plan', detail: run.message, rows: NO_ROWS }
   }
   if (!shown) return { tone: 'busy', words: 'No plan yet', detail: '', rows: NO_ROWS }
-  if (pathHidden) {
+  if (clearPath === 'done') {
     return { tone: 'clear-path', words: 'Path cleared', detail: PATH_HIDDEN, rows: NO_ROWS }
   }
   const { outcome, milliseconds } = shown
