@@ -17,15 +17,18 @@ export function messages<State extends WithMessages>(store: Store<State>): (stat
     if (!(relatedTarget instanceof Node && list.contains(relatedTarget))) cameFrom = relatedTarget
   })
 
+  const giveFocusBack = () => {
+    const next = [...boxes.values()].at(-1)?.querySelector('button') ?? cameFrom
+    if (next instanceof HTMLElement) next.focus()
+  }
+
   const show = (message: Message): HTMLElement => {
     const { id, kind, text } = message
     const close = kind === 'work' ? cancelButton() : closeButton()
     close.addEventListener('click', ({ detail }) => {
-      const others = [...boxes].filter(([other]) => other !== id).map(([, box]) => box)
-      const next = others.at(-1)?.querySelector('button') ?? cameFrom
+      // With a pointer the focus is not missed.
+      if (detail > 0) close.blur()
       store.update((state) => dismiss(state, id))
-      // The button goes. With a pointer the focus is not missed.
-      if (detail === 0 && next instanceof HTMLElement) next.focus()
     })
     const box = create(
       'div',
@@ -44,8 +47,10 @@ export function messages<State extends WithMessages>(store: Store<State>): (stat
   return (state) => {
     for (const [id, box] of boxes) {
       if (state.messages.some((message) => message.id === id)) continue
-      box.remove()
       boxes.delete(id)
+      // Before it is lost: nothing could tell then where it had come from.
+      if (box.contains(document.activeElement)) giveFocusBack()
+      box.remove()
     }
     for (const message of state.messages) {
       const box = boxes.get(message.id) ?? show(message)
