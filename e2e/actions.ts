@@ -72,6 +72,32 @@ export async function dropFile(
   await expect(page.getByText('Drop the file to open it')).toBeHidden()
 }
 
+/**
+ * Lets go of `first.txt`, and of `last.txt` while that is read; returns what lets it be read to its end.
+ */
+export async function dropBoth(page: Page, first: string, last: string) {
+  const slow = await page.evaluateHandle(
+    ([firstText, lastText]) => {
+      let read: (text: string) => void = () => {}
+      const first = new File([], 'first.txt')
+      first.text = () => new Promise((resolve) => (read = resolve))
+      for (const file of [first, new File([lastText], 'last.txt')]) {
+        const drop = new DragEvent('drop', { bubbles: true })
+        // A transfer of the browser's own would hand over a copy of the file.
+        Object.defineProperty(drop, 'dataTransfer', { value: { types: ['Files'], files: [file] } })
+        document.body.dispatchEvent(drop)
+      }
+      return { readFirst: () => read(firstText) }
+    },
+    [first, last] as const,
+  )
+  return () =>
+    slow.evaluate(async ({ readFirst }) => {
+      readFirst()
+      await new Promise((resolve) => requestAnimationFrame(resolve))
+    })
+}
+
 export const plannerSelect = (page: Page): Locator =>
   page.getByRole('combobox', { name: 'Planner', exact: true })
 

@@ -6,7 +6,7 @@ import { InputError, messageOf } from '../../grid/errors'
 import { openMap } from '../../grid/formats/open-map'
 import { gridToRows } from '../../grid/text-map'
 import { byId } from '../element'
-import { onFileDropped } from '../files/drop-zone'
+import { onFileChosen } from '../files/chosen-file'
 import { tell } from '../state/messages'
 import type { Store } from '../state/store'
 import type { PageState } from './state'
@@ -23,13 +23,21 @@ export function openText(state: PageState, text: string): PageState {
   return showResults(openSettings(state, results.settings), results)
 }
 
-/** Opens settings or results. If that fails, a message says why, and all stays as it was. */
-async function openFile(store: Store<PageState>, file: File): Promise<void> {
+/**
+ * Opens settings or results. If that fails, a message says why, and all stays as it was.
+ * @param isWanted whether no other file was asked for while this one was read
+ */
+async function openFile(
+  store: Store<PageState>,
+  file: File,
+  isWanted: () => boolean,
+): Promise<void> {
   try {
     const text = await textOf(file)
+    if (!isWanted()) return
     store.update((state) => tell(openText(state, text), 'note', `Opened ${file.name}.`))
   } catch (error) {
-    refuse(store, file, error)
+    if (isWanted()) refuse(store, file, error)
   }
 }
 
@@ -60,19 +68,11 @@ function refuse(store: Store<PageState>, file: File, error: unknown): void {
 
 /** Binds the two file inputs, and dropping a file of settings or results anywhere. */
 export function bindFiles(store: Store<PageState>): { open(): void; openMaps(): void } {
-  const input = byId('file', HTMLInputElement)
   const mapInput = byId('map-files', HTMLInputElement)
-  const zone = byId('drop-zone', HTMLDivElement)
-  input.addEventListener('change', () => {
-    const file = input.files?.[0]
-    if (file) void openFile(store, file)
-    // The same file can be chosen again.
-    input.value = ''
-  })
   mapInput.addEventListener('change', () => {
     void openMaps(store, [...(mapInput.files ?? [])])
     mapInput.value = ''
   })
-  onFileDropped(zone, store, (file) => void openFile(store, file))
-  return { open: () => input.click(), openMaps: () => mapInput.click() }
+  const open = onFileChosen(store, (file, isWanted) => void openFile(store, file, isWanted))
+  return { open, openMaps: () => mapInput.click() }
 }
