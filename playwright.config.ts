@@ -1,3 +1,4 @@
+import { availableParallelism } from 'node:os'
 import { defineConfig, type PlaywrightTestOptions } from '@playwright/test'
 import { findBrowser } from './scripts/browser.mjs'
 
@@ -18,7 +19,8 @@ export default defineConfig({
   fullyParallel: true,
   forbidOnly: true,
   retries: 0,
-  workers: 2,
+  // The planners of a page work beside it, and the browser itself: a core is left to them.
+  workers: Math.min(4, Math.max(2, availableParallelism() - 1)),
   // Generous, for machines with much else to do: a test never waits longer than it must.
   timeout: 90_000,
   expect: { timeout: 20_000 },
@@ -26,7 +28,6 @@ export default defineConfig({
   use: {
     baseURL: `http://127.0.0.1:${process.env.PREVIEW_PORT}${SUB_PATH}`,
     contextOptions: { reducedMotion: 'reduce' },
-    trace: { mode: 'retain-on-failure', screenshots: false },
     screenshot: 'only-on-failure',
     launchOptions: {
       ...(executablePath && { executablePath }),

@@ -18,8 +18,9 @@ test.beforeEach(async ({ page }) => {
 test('everything can be undone and redone', async ({ map, page }) => {
   const undo = page.getByRole('button', { name: 'Undo' })
   const redo = page.getByRole('button', { name: 'Redo' })
-  const isUsed = async () => (await undo.getAttribute('aria-disabled')) === 'false'
-  while (await isUsed()) await undo.click()
+  // The choice of the planner, and the map that was opened.
+  for (let step = 0; step < 2; step++) await undo.click()
+  await expect(undo).toHaveAttribute('aria-disabled', 'true')
   await expectSettled(page)
   const planner = await map.element.getAttribute('data-planner')
   const before = await saveMap(page)

@@ -9,11 +9,13 @@ export class Bucket {
   count = 0
 
   push(cell: Cell): void {
-    if (this.count === this.cells.length) this.#grow()
+    if (this.count === this.cells.length) this.makeRoom(1)
     this.cells[this.count++] = cell
   }
 
-  #grow(): void {
-    this.cells = larger(this.cells, new Int32Array(2 * this.count))
+  /** For so many more cells. */
+  makeRoom(more: number): void {
+    const room = this.count + more
+    if (room > this.cells.length) this.cells = larger(this.cells, new Int32Array(2 * room))
   }
 }

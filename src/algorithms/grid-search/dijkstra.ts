@@ -30,8 +30,17 @@ export function dijkstra({ problem, legal, cost, tape, lines, progress }: Search
   record?.begin(start, null)
   for (let units = 0; bucket.count + next.count > 0; units++) {
     const least = units << 29
-    for (let i = 0; i < bucket.count; i++) {
-      const cell = bucket.cells[i]
+    // Nothing joins this bucket any more, and the others are given all the room that its cells could
+    // need, so that neither is asked for each of them.
+    const { cells: waiting, count } = bucket
+    next.makeRoom(8 * count)
+    afterNext.makeRoom(8 * count)
+    const { cells: nextCells } = next
+    const { cells: afterNextCells } = afterNext
+    let nextCount = next.count
+    let afterNextCount = afterNext.count
+    for (let i = 0; i < count; i++) {
+      const cell = waiting[i]
       const state = states[cell]
       // A cell that was improved stands in an earlier place too.
       if (state & CLOSED) continue
@@ -54,12 +63,14 @@ export function dijkstra({ problem, legal, cost, tape, lines, progress }: Search
         if (known & OPEN && ((longer - weights[neighbour]) | 0) >= 0) continue
         states[neighbour] = OPEN | (direction << DIRECTION_SHIFT) | (known & LEGAL)
         weights[neighbour] = longer
-        if (((longer - least) | 0) < 2 * UNIT) next.push(neighbour)
-        else afterNext.push(neighbour)
+        if (((longer - least) | 0) < 2 * UNIT) nextCells[nextCount++] = neighbour
+        else afterNextCells[afterNextCount++] = neighbour
         opened |= 1 << direction
       }
       record?.closed(cell, opened, units + (weight - least) / UNIT)
     }
+    next.count = nextCount
+    afterNext.count = afterNextCount
     const empty = bucket
     empty.count = 0
     bucket = next
