@@ -1,6 +1,7 @@
 import { InputError } from '../grid/errors'
 import { describe } from '../grid/excerpt'
 import { parseJson } from '../grid/formats/json'
+import { inParts } from './in-parts'
 import { readRows } from './read-rows'
 import { type Origin, originToJson, type Results, readOrigin } from './results'
 import type { Row } from './row'
@@ -40,10 +41,17 @@ export function parseLine(line: string, number: number): unknown {
   }
 }
 
-/** Results as one JSON object, with a row a line. */
-export function resultsToJson({ rows, ...origin }: Results): string {
-  const beginning = JSON.stringify({ ...originToJson(origin), rows: [] }).slice(0, -2)
-  return `${beginning}\n${rows.map(rowToLine).join(',\n')}\n]}\n`
+/** Results as one JSON object: all parts of `jsonInParts` together. */
+export const resultsToJson = (results: Results): string => [...jsonInParts(results)].join('')
+
+/** Results as one JSON object, with a row a line, a part of its text after the other. */
+export function* jsonInParts(
+  { rows, ...origin }: Results,
+  progress?: (done: number) => void,
+): Generator<string, void, void> {
+  yield `${JSON.stringify({ ...originToJson(origin), rows: [] }).slice(0, -2)}\n`
+  yield* inParts(rows, rowToLine, ',\n', progress)
+  yield '\n]}\n'
 }
 
 /**

@@ -1,5 +1,7 @@
 import { describe, expect, test } from 'vitest'
 import type { Results } from '../../src/experiments/results'
+import { csvInParts } from '../../src/experiments/results-csv'
+import { jsonInParts } from '../../src/experiments/results-json'
 import {
   InputError,
   openResults,
@@ -53,6 +55,20 @@ describe.each(Object.entries(FORMATS))('%s', (_, write) => {
     expect(broken).not.toBe(text)
     expect(() => openResults(broken)).toThrow(/^(Line|Row) \d+ is no row .*"status" is "arrived"/)
   })
+})
+
+test.each([
+  ['CSV', csvInParts, resultsToCsv],
+  ['JSON', jsonInParts, resultsToJson],
+] as const)('%s of many rows comes in parts that are soon made', (_, inParts, whole) => {
+  const many = { ...results, rows: Array.from({ length: 1000 }, (_, i) => rows[i % rows.length]) }
+  const told: number[] = []
+  const parts = [...inParts(many, (done) => told.push(done))]
+  expect(parts.join('')).toBe(whole(many))
+  expect(Math.max(...parts.map(({ length }) => length))).toBeLessThan(whole(many).length / 10)
+  expect(told.length).toBeGreaterThan(10)
+  expect(told).toEqual(told.toSorted((a, b) => a - b))
+  expect([told[0], told.at(-1)].every((done) => done !== undefined && done < 1)).toBe(true)
 })
 
 describe('rows that are not those of the settings are refused', () => {

@@ -1,25 +1,15 @@
-import { messageOf } from '../../grid/errors'
 import type { Grid } from '../../grid/grid'
 import type { Problem } from '../../grid/problem'
 import type { Scene } from '../../render/scene'
 import { fetchedPart } from '../fetched-part'
-import { tell } from '../state/messages'
 import { plannerOf } from '../state/setup'
 import { type State, visiblePlan } from '../state/state'
 import type { Store } from '../state/store'
 import { say } from '../state/transitions'
 import { leftOut } from '../words/thinning'
-import { download } from './download'
 import { blobInSlices } from './in-slices'
-import { type ShownWork, showWork } from './shown-work'
-
-/** A file as it is handed to the browser. */
-interface Saved {
-  readonly name: string
-  readonly content: string | Blob
-  /** What it leaves out, in words, if it does. */
-  readonly missing?: string
-}
+import { type Saved, saveFiles } from './save-files'
+import type { ShownWork } from './shown-work'
 
 /** The map's name without an ending, the same for all files that belong together. */
 const nameOf = ({ width, height }: Grid): string => `path-planner-${width}x${height}`
@@ -59,22 +49,13 @@ async function pictureFile({ setup }: State, scene: Scene, kind: 'png' | 'svg'):
   return { name, content: picture.content, missing: picture.isCrowded ? TOO_MANY : '' }
 }
 
-/** What saves, by the name of the menu's entry. If it fails, a message says why. */
+/** What saves, by the name of the menu's entry. */
 export function savers(store: Store<State>, sceneNow: () => Scene) {
-  const save = (files: (state: State, work: ShownWork) => Promise<readonly Saved[]>) => () => {
-    void showWork(store, 'Saving…', (work) => files(store.state, work)).then(
-      (saved) => {
-        if (!saved) return store.update((state) => tell(state, 'note', 'Saving was cancelled.'))
-        for (const { name, content } of saved) download(content, typeOf(name), name)
-        const names = saved.map(({ name }) => name).join(' and ')
-        store.update((state) => say(state, `Saved as ${names}.`))
-        const missing = saved.flatMap((file) => file.missing || [])
-        if (missing.length > 0) store.update((state) => tell(state, 'note', missing.join(' ')))
-      },
-      (error: unknown) => {
-        store.update((state) => tell(state, 'error', `Nothing was saved. ${messageOf(error)}`))
-      },
-    )
+  const save = (make: (state: State, work: ShownWork) => Promise<readonly Saved[]>) => async () => {
+    const saved = await saveFiles(store, (work) => make(store.state, work))
+    if (saved.length === 0) return
+    const names = saved.map(({ name }) => name).join(' and ')
+    store.update((state) => say(state, `Saved as ${names}.`))
   }
   return {
     save: save(async (state) => [await projectFile(state)]),
@@ -84,11 +65,3 @@ export function savers(store: Store<State>, sceneNow: () => Scene) {
     'save-svg': save(async (state) => [await pictureFile(state, sceneNow(), 'svg')]),
   }
 }
-
-const TYPES: Readonly<Record<string, string>> = {
-  json: 'application/json',
-  map: 'text/plain',
-  svg: 'image/svg+xml',
-}
-
-const typeOf = (name: string): string => TYPES[name.slice(name.lastIndexOf('.') + 1)] ?? ''
