@@ -96,7 +96,7 @@ test('a long trace is written while the page goes on, and can be cancelled', asy
   await expect(bar).toBeVisible()
   await scrubber(page).focus()
   await page.getByRole('button', { name: 'Cancel' }).press('Enter')
-  await expect(page.getByText('Saving was cancelled.')).toBeVisible()
+  await expect(page.getByText('Cancelled.')).toBeVisible()
   await expect(bar).toBeHidden()
   await expect(scrubber(page)).toBeFocused()
   expect(downloads).toBe(0)

@@ -65,10 +65,10 @@ export function* csvInParts(
 }
 
 /**
- * The results in a table that `resultsToCsv` wrote.
+ * The results in a table that `resultsToCsv` wrote. It yields what share of the rows is read.
  * @throws InputError that names the line that is wrong
  */
-export function resultsFromCsv(text: string): Results {
+export function* resultsFromCsv(text: string): Generator<number, Results, void> {
   const [comment, header, ...lines] = text.replaceAll('\r\n', '\n').trimEnd().split('\n')
   if (!comment.startsWith('# ')) throw new InputError('Line 1 must be "# " and the settings.')
   const origin = readOrigin(parseLine(comment.slice(2), 1))
@@ -84,7 +84,7 @@ export function resultsFromCsv(text: string): Results {
     const row = names.map((name, k) => [name, valueIn(values[k], WORDS.has(name))] as const)
     return unflatten(Object.fromEntries(row))
   }
-  return { ...origin, rows: readRows(origin, lines, jsonOf, nameOf) }
+  return { ...origin, rows: yield* readRows(origin, lines, jsonOf, nameOf) }
 }
 
 interface Column {

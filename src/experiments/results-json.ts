@@ -19,14 +19,15 @@ export function resultsToLines({ rows, ...origin }: Results): string {
 
 /**
  * The results in JSON lines. A last line without an end is left out: that run was broken off there.
+ * It yields what share of the rows is read.
  * @throws InputError that names the line that is wrong
  */
-export function resultsFromLines(text: string): Results {
+export function* resultsFromLines(text: string): Generator<number, Results, void> {
   const [first, ...others] = text.split('\n')
   const origin = readOrigin(parseLine(first, 1))
   others.pop()
   const jsonOf = (line: string, i: number) => parseLine(line, i + 2)
-  return { ...origin, rows: readRows(origin, others, jsonOf, (i) => `Line ${i + 2}`) }
+  return { ...origin, rows: yield* readRows(origin, others, jsonOf, (i) => `Line ${i + 2}`) }
 }
 
 /**
@@ -55,13 +56,13 @@ export function* jsonInParts(
 }
 
 /**
- * The results in a JSON object that `resultsToJson` wrote.
+ * The results in a JSON object that `resultsToJson` wrote. It yields what share of the rows is read.
  * @throws InputError that names the place that is not JSON, or the row that is wrong
  */
-export function resultsFromJson(text: string): Results {
+export function* resultsFromJson(text: string): Generator<number, Results, void> {
   const value = Object(parseJson(text))
   const origin = readOrigin(value)
   if (!Array.isArray(value.rows)) throw new InputError('"rows" must be a list.')
   const jsonOf = (row: unknown) => row
-  return { ...origin, rows: readRows(origin, value.rows, jsonOf, (i) => `Row ${i}`) }
+  return { ...origin, rows: yield* readRows(origin, value.rows, jsonOf, (i) => `Row ${i}`) }
 }

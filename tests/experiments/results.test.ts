@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest'
+import { openingResults } from '../../src/experiments/open-results'
 import type { Results } from '../../src/experiments/results'
 import { csvInParts } from '../../src/experiments/results-csv'
 import { jsonInParts } from '../../src/experiments/results-json'
@@ -26,6 +27,14 @@ describe.each(Object.entries(FORMATS))('%s', (_, write) => {
 
   test('is opened in its order, whatever the order of its rows', () => {
     expect(openResults(write({ ...results, rows: rows.toReversed() }))).toEqual(results)
+  })
+
+  test('is opened with rests, so that a page can go on meanwhile', () => {
+    const first = rows.filter(({ map }) => map === 0)
+    const all = Array.from({ length: 30 }, (_, map) => first.map((row) => ({ ...row, map }))).flat()
+    const shares = [...openingResults(write({ ...results, rows: all }))]
+    expect(shares).toEqual(shares.map((_, i) => (64 * i) / all.length))
+    expect(shares.length).toBe(Math.ceil(all.length / 64))
   })
 
   test('without rows too', () => {

@@ -1,4 +1,4 @@
-import { openResults } from '../../experiments/open-results'
+import { openingResults } from '../../experiments/open-results'
 import { RESULTS_FORMAT } from '../../experiments/results'
 import type { GivenMap } from '../../experiments/settings'
 import { readSettings } from '../../experiments/settings-check'
@@ -7,6 +7,8 @@ import { openMap } from '../../grid/formats/open-map'
 import { gridToRows } from '../../grid/text-map'
 import { byId } from '../element'
 import { onFileChosen } from '../files/chosen-file'
+import { inSlices } from '../files/in-slices'
+import { showWork } from '../files/shown-work'
 import { tell } from '../state/messages'
 import type { Store } from '../state/store'
 import type { PageState } from './state'
@@ -15,12 +17,17 @@ import { addMaps, openSettings, showResults } from './transitions'
 /** No more than a text of a browser can hold. */
 const MOST_BYTES = 400 * 2 ** 20
 
-/** What a file of settings or of results changes. */
-export function openText(state: PageState, text: string): PageState {
+/** What a file of settings or of results changes. It yields what share of it is read. */
+export function* openingText(
+  text: string,
+): Generator<number, (state: PageState) => PageState, void> {
   const isResults = text.startsWith('#') || text.slice(0, 200).includes(RESULTS_FORMAT)
-  if (!isResults) return openSettings(state, readSettings(text))
-  const results = openResults(text)
-  return showResults(openSettings(state, results.settings), results)
+  if (!isResults) {
+    const settings = readSettings(text)
+    return (state) => openSettings(state, settings)
+  }
+  const results = yield* openingResults(text)
+  return (state) => showResults(openSettings(state, results.settings), results)
 }
 
 /**
@@ -33,9 +40,12 @@ async function openFile(
   isWanted: () => boolean,
 ): Promise<void> {
   try {
-    const text = await textOf(file)
-    if (!isWanted()) return
-    store.update((state) => tell(openText(state, text), 'note', `Opened ${file.name}.`))
+    const open = await showWork(store, `Opening ${file.name}…`, async ({ progress, signal }) => {
+      const opening = openingText(await textOf(file))
+      return inSlices(opening, (shares) => progress(shares.at(-1) ?? 1), signal)
+    })
+    if (!open || !isWanted()) return
+    store.update((state) => tell(open(state), 'note', `Opened ${file.name}.`))
   } catch (error) {
     if (isWanted()) refuse(store, file, error)
   }

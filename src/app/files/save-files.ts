@@ -13,7 +13,7 @@ export interface Saved {
 }
 
 /**
- * Saves files that may take long to be made. If that fails or is cancelled, a message says so.
+ * Saves files that may take long to be made. If that fails, a message says so.
  * @returns those that were saved
  */
 export async function saveFiles<State extends WithMessages>(
@@ -22,7 +22,6 @@ export async function saveFiles<State extends WithMessages>(
 ): Promise<readonly Saved[]> {
   try {
     const files = await showWork(store, 'Saving…', make)
-    if (!files) store.update((state) => tell(state, 'note', 'Saving was cancelled.'))
     for (const { name, content, missing } of files ?? []) {
       download(content, typeOf(name), name)
       if (missing) store.update((state) => tell(state, 'note', missing))

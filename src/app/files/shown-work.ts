@@ -10,7 +10,7 @@ export interface ShownWork {
 const SLOW_AFTER_MS = 200
 
 /**
- * Shows a message with the progress of work that lasts. Who closes it cancels the work.
+ * Shows a message with the progress of work that lasts. Who closes it cancels the work, and is told so.
  * @returns `null` if it was cancelled
  */
 export async function showWork<State extends WithMessages, Result>(
@@ -34,8 +34,9 @@ export async function showWork<State extends WithMessages, Result>(
   try {
     return await work({ progress, signal: cancel.signal })
   } catch (error) {
-    if (cancel.signal.aborted) return null
-    throw error
+    if (!cancel.signal.aborted) throw error
+    store.update((state) => tell(state, 'note', 'Cancelled.'))
+    return null
   } finally {
     unsubscribe()
     store.update((state) => dismiss(state, id))
