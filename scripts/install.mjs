@@ -20,8 +20,8 @@ if (changed('node_modules/.package-lock.json') < changed('package-lock.json')) {
   })
   if (status !== 0) {
     console.error(
-      '\nThe packages could not be installed: npm says why above. Path Planner needs Node 20.19 or\n' +
-        'newer and a way to the npm registry. Once that is mended, run the same command again.',
+      '\nThe packages could not be installed: npm says why above. Path Planner needs Node 20.19, 22.12,\n' +
+        '24 or newer and a way to the npm registry. Once that is mended, run the same command again.',
     )
     process.exit(1)
   }

@@ -5,7 +5,7 @@ import { join, resolve } from 'node:path'
 import { build } from 'vite'
 import { expect, test } from 'vitest'
 import type { OfflinePlanner } from '../src/algorithms/planner'
-import { countWork, firstIllegalStep, planners, readSettings, Tape } from '../src/index'
+import { countWork, firstIllegalStep, frameAt, planners, readSettings, Tape } from '../src/index'
 import { mapNumber } from './reference/maps'
 import { isReachable, problemOf, RULES } from './reference/world'
 
@@ -34,6 +34,17 @@ test('the program in README.md runs in Node and prints what is said', async () =
   } finally {
     rmSync(folder, { recursive: true })
   }
+})
+
+test('README.md names the versions of Node that the tools run with', () => {
+  const nodeFor = (folder: string): string =>
+    JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')).engines.node
+  const ours = nodeFor('.')
+  // The builder takes no 22 before 22.12, the tests run with no odd version.
+  expect(nodeFor('node_modules/vite')).toBe('^20.19.0 || >=22.12.0')
+  expect(nodeFor('node_modules/vitest')).toBe('^20.0.0 || ^22.0.0 || >=24.0.0')
+  expect(ours).toBe('^20.19 || ^22.12 || >=24')
+  expect(readme).toContain(`${ours.match(/[\d.]+/g)?.join(', ')} or newer`)
 })
 
 test('the settings in README.md can be run, and the fault in it is the one that is told', () => {
@@ -67,6 +78,10 @@ test('the planner in CONTRIBUTING.md is what it says: complete', async () => {
     const { status, path } = greedyBestFirst.plan(problem, context)
     expect(status).toBe(isReachable(world) ? 'reached' : 'unreachable')
     expect(firstIllegalStep(problem, path)).toBe(-1)
-    if (status === 'reached') expect([path[0], path.at(-1)]).toEqual([problem.start, problem.goal])
+    if (status === 'reached') {
+      expect([path[0], path.at(-1)]).toEqual([problem.start, problem.goal])
+      // The page tells the cost that the tape has.
+      expect(frameAt(context.tape, context.tape.length).cost).toBe(path.length - 1)
+    }
   }
 })

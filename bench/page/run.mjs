@@ -34,8 +34,12 @@ function onTwoCores() {
   return true
 }
 
-if (!onTwoCores()) {
-  const asked = process.argv.slice(2)
+const asked = process.argv.slice(2)
+const unknown = asked.find((name) => !Object.hasOwn(parts, name))
+if (unknown !== undefined) {
+  console.error(`There is no part "${unknown}" (there are: ${Object.keys(parts).join(', ')}).`)
+  process.exitCode = 1
+} else if (!onTwoCores()) {
   const report = new Report()
   for (const [name, measure] of Object.entries(parts)) {
     if (asked.length === 0 || asked.includes(name)) await measure(report)

@@ -39,6 +39,9 @@ export function readCommand(args: readonly string[]): Command {
   if (other !== undefined) {
     throw new InputError(`${other} is neither a .map nor a .scen file.\n\n${USAGE}`)
   }
+  if (positionals.length > 0 && (quick || only !== '')) {
+    throw new InputError('--quick and --only choose among the generated maps: no files with them.')
+  }
   if (docs && (quick || only !== '' || positionals.length > 0)) {
     throw new InputError('--docs writes down the whole bench: it goes with nothing else.')
   }

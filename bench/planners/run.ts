@@ -1,5 +1,6 @@
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { availableParallelism } from 'node:os'
+import { InputError } from '../../src/grid/errors'
 import type { Case } from './case'
 import {
   type Checked,
@@ -18,12 +19,16 @@ import { allPeers } from './peers/all'
 import { targetsMet, timeAll } from './timed'
 import { growthInWords, plainName, say } from './words'
 
-/** Checks first, then times the generated maps; returns whether all is right and fast enough. */
+/**
+ * Checks first, then times the generated maps; returns whether all is right and fast enough.
+ * @throws InputError if no case is named so
+ */
 export function benchGenerated({ quick, only, docs }: Command): boolean {
   const isChosen = ({ name }: Case) => plainName(name).includes(plainName(only))
   const chosen = parts.filter(
     (part) => !(quick && part.isLarge) && part.cases(part.make()).some(isChosen),
   )
+  if (chosen.length === 0) throw new InputError(`No case has "${only}" in its name.`)
   const checked = checkAll(chosen)
   say(checkInWords(checked).join('\n'))
   if (!isOursRight(checked)) return false

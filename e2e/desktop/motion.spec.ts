@@ -1,5 +1,6 @@
 import { choosePlanner, expectResult, openMap } from '../actions'
 import { expect, test } from '../fixtures'
+import { expectStep, scrubber, stepsInAll } from '../steps'
 
 const ROWS = `
   ..........
@@ -15,6 +16,15 @@ test.describe('where motion is welcome', () => {
     await expect(map.element).toHaveAttribute('data-status', 'reached')
     await map.click([-1, 3])
     await expect(map.element).toHaveAttribute('data-playing', 'false')
+  })
+
+  test('a stroke shows the end of the plan, on the scrubber too', async ({ map, page }) => {
+    await expect(map.element).toHaveAttribute('data-playing', 'true')
+    await map.press([0, 0])
+    const end = await stepsInAll(page)
+    await expect(scrubber(page)).toHaveValue(String(end))
+    await expectStep(page, end, end)
+    await map.release()
   })
 
   test('a plan that arrives is played once', async ({ map, page }) => {

@@ -1,4 +1,5 @@
-import { createReadStream, createWriteStream, renameSync, rmSync } from 'node:fs'
+import { createReadStream, createWriteStream, mkdirSync, renameSync, rmSync } from 'node:fs'
+import { dirname } from 'node:path'
 import { pipeline } from 'node:stream/promises'
 import { type Origin, readOrigin } from '../experiments/results'
 import { originToLine, parseLine } from '../experiments/results-json'
@@ -30,6 +31,7 @@ export async function mergeShards(paths: readonly string[], out: string | null):
   checkTogether(files)
   if (out === null) return pipeline(rowsOf(files), process.stdout, { end: false })
   headerThere(out, { ...files[0].origin, shard: WHOLE })?.lines.return()
+  mkdirSync(dirname(out), { recursive: true })
   const part = `${out}.part`
   try {
     await pipeline(rowsOf(files), createWriteStream(part))

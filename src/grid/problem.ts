@@ -1,6 +1,7 @@
 import { InputError } from './errors'
 import { type Cell, cellName, type Grid, MAX_SIDE, MIN_SIDE } from './grid'
 import { isKnown } from './legal-steps'
+import { plural } from './plural'
 import { DIAGONAL_RULES, type DiagonalRule } from './steps'
 import { wordsOf } from './words'
 
@@ -67,7 +68,7 @@ export function checkProblem(problem: Problem): void {
   checkSize(grid.width, grid.height)
   if (grid.walls.length !== grid.width * grid.height) {
     throw new InputError(
-      `The map has ${grid.walls.length} cells, but ${grid.width} × ${grid.height} make ${grid.width * grid.height}.`,
+      `The map has ${grid.walls.length} ${plural(grid.walls.length, 'cell')}, but ${grid.width} × ${grid.height} make ${grid.width * grid.height}.`,
     )
   }
   checkWalls(grid)

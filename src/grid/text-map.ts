@@ -2,6 +2,7 @@ import { InputError } from './errors'
 import { describe, excerpt } from './excerpt'
 import { fileText } from './file-text'
 import type { Cell, Grid } from './grid'
+import { plural } from './plural'
 import { checkProblem, checkSize, type Problem } from './problem'
 import type { DiagonalRule } from './steps'
 
@@ -24,7 +25,7 @@ export function problemFromText(
   const ends = new Map<string, Cell>()
   rows.forEach((row, y) => {
     if (row.length !== width) {
-      throw new InputError(`Row ${y + 1} has ${row.length} cells, but row 1 has ${width}.`)
+      throw unequalRows(y, row.length, width)
     }
     for (let x = 0; x < width; x++) {
       const sign = row[x]
@@ -81,7 +82,7 @@ export function gridFromRows(rows: readonly unknown[]): Grid {
   for (let y = 0; y < rows.length; y++) {
     const row = rowText(rows, y)
     if (row.length !== width) {
-      throw new InputError(`Row ${y + 1} has ${row.length} cells, but row 1 has ${width}.`)
+      throw unequalRows(y, row.length, width)
     }
     for (let x = 0; x < width; x++) {
       if (row[x] === '#') walls[y * width + x] = 1
@@ -111,4 +112,10 @@ export function problemToText(problem: Problem): string {
   cells[start] = SIGN.start
   cells[goal] = SIGN.goal
   return `${rowsOf(cells, grid).join('\n')}\n`
+}
+
+function unequalRows(y: number, length: number, width: number): InputError {
+  return new InputError(
+    `Row ${y + 1} has ${length} ${plural(length, 'cell')}, but row 1 has ${width}.`,
+  )
 }

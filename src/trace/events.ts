@@ -23,7 +23,7 @@ export const EVENT = {
   /** A cell or vertex was reached: cell, parent cell, cost so far. */
   open: 7,
   /**
-   * Its shortest path is final: cell, directions, cost. The neighbours in these directions become
+   * The way to it is final: cell, directions, cost. The neighbours in these directions become
    * open or get a shorter way with it; 0 or -1 if there are none, or if they have events of their own.
    */
   close: 8,

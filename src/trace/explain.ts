@@ -61,7 +61,7 @@ export function explain(
         ? `Start at ${name(cell)} with cost ${number(value)}.`
         : `${name(cell)} gets a shorter way, over ${name(other)}: cost ${number(value)}.`
     case EVENT.close:
-      return `Of all open ones ${name(cell)} comes first, with cost ${number(value)}${left(tape, cell, frame)}: its shortest path is final.${given(openedBy(tape, first).map(({ cell }) => name(cell)))}`
+      return `Of all open ones ${name(cell)} comes first, with cost ${number(value)}${left(tape, cell, frame)}: the way to it is final.${given(openedBy(tape, first).map(({ cell }) => name(cell)))}`
     case EVENT.path:
       return `The parents lead back from the goal: a path of ${count(frame.path.length, 'cell')}.`
     case EVENT.attraction:

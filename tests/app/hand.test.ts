@@ -131,6 +131,17 @@ describe('a map that is opened meanwhile', () => {
     expect(hand.isBusy).toBe(false)
   })
 
+  it('ends what two fingers do', () => {
+    hand.press({ id: 1, place: at(1, 1), button: 'main', isTouch: true })
+    hand.press({ id: 2, place: at(3, 1), button: 'main', isTouch: true })
+    hand.move(2, [at(4, 1)])
+    open()
+    const { view } = store.state
+    hand.move(2, [at(2, 1)])
+    expect(store.state.view).toBe(view)
+    expect(hand.isBusy).toBe(false)
+  })
+
   it('leaves the stroke before it as a step to undo', () => {
     press(at(1, 0))
     move(at(2, 0))
@@ -206,6 +217,29 @@ describe('two fingers', () => {
     hand.release(1, true)
     expect(store.state.view).toEqual(view)
     expect(store.state.setup).toBe(setup)
+  })
+
+  it('at the largest scale move the map and leave its scale alone, though they move one by one', () => {
+    finger(1, at(1, 1))
+    finger(2, at(1, 2))
+    hand.move(2, [at(1, 9)])
+    hand.release(1, true)
+    hand.release(2, true)
+    const { scale, left, top } = store.state.view
+    finger(1, at(1, 6))
+    finger(2, at(1, 9))
+    hand.move(1, [at(1, 4)])
+    hand.move(2, [at(1, 7)])
+    expect(store.state.view).toEqual({ scale, left, top: top - 80 })
+  })
+
+  it('take back what they have zoomed when they come back, beyond the limits too', () => {
+    const { view } = store.state
+    finger(1, at(1, 1))
+    finger(2, at(1, 2))
+    hand.move(2, [at(1, 12)])
+    hand.move(2, [at(1, 2)])
+    expect(store.state.view).toEqual(view)
   })
 
   it('may begin at one place', () => {

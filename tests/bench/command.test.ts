@@ -21,6 +21,8 @@ test('the command line is read', () => {
 test.each([
   [['a.txt'], 'a.txt is neither a .map nor a .scen file'],
   [['--fast'], '--fast'],
+  [['a.map', 'a.map.scen', '--only', 'dijkstra'], 'no files with them'],
+  [['a.map', 'a.map.scen', '--quick'], 'no files with them'],
   [['--docs', '--quick'], '--docs'],
   [['--docs', '--only', 'a'], '--docs'],
 ])('%j is refused', (args, message) => {

@@ -1,4 +1,5 @@
 import { existsSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { describe, expect, test } from 'vitest'
 import { runMaps } from '../../src/cli/pool'
@@ -44,6 +45,14 @@ describe('the rows are the same', () => {
     expect(timelessText(merged)).toBe(timelessText(run(settings).stdout))
     expect(run('--merge', ...files).stdout).toBe(merged)
     expect(existsSync(pathOf('merged.jsonl.part'))).toBe(false)
+  })
+
+  test('in folders that were not there, of a run and of a merge', () => {
+    const settings = settingsFile('small.json')
+    expect(run(settings, '--out', join('new', 'folder', 'rows.jsonl')).status).toBe(0)
+    const args = [join('new', 'folder', 'rows.jsonl'), '--out', join('other', 'merged.jsonl')]
+    expect(run('--merge', ...args).status).toBe(0)
+    expect(textOf('other/merged.jsonl')).toBe(textOf('new/folder/rows.jsonl'))
   })
 
   test('merged from more shards than there are maps', () => {

@@ -38,6 +38,7 @@ describe('what is wrong is named with its place', () => {
     ['SG', "The map's height is 1"],
     ['S\nG', "The map's width is 1"],
     ['S..\n..', 'Row 2 has 2 cells, but row 1 has 3.'],
+    ['S..\n.', 'Row 2 has 1 cell, but row 1 has 3.'],
     ['S..\n.x.\n..G', '"x" at (1, 1) is no cell: use "#" obstacle'],
     ['S..\n.🙂.\n..G', 'Row 2 has 4 cells, but row 1 has 3.'],
     ['S..\n🙂.\n..G', '"🙂" at (0, 1) is no cell'],

@@ -6,7 +6,7 @@ import { explain } from '../../src/trace/explain'
 import { stepsOf } from '../../src/trace/landmarks'
 
 const [east, southEast, south] = [1 << 2, 1 << 3, 1 << 4]
-const CLOSED = 'Of all open ones (4, 5) comes first, with cost 3.414: its shortest path is final.'
+const CLOSED = 'Of all open ones (4, 5) comes first, with cost 3.414: the way to it is final.'
 
 test('a cell that A* closes tells what is left from it at least', () => {
   const tape = new Tape()
@@ -14,7 +14,7 @@ test('a cell that A* closes tells what is left from it at least', () => {
   tape.write(EVENT.estimate, 57, 0)
   tape.write(EVENT.close, 34, 0, 4)
   expect(explain(tape, 1, frameAt(tape, 2), [])).toBe(
-    'Of all open ones (4, 3) comes first, with cost 4 and at least 3.828 left: its shortest path is final.',
+    'Of all open ones (4, 3) comes first, with cost 4 and at least 3.828 left: the way to it is final.',
   )
 })
 

@@ -118,7 +118,8 @@ export function playbackBar(store: Store<State>): (state: State, moment: Moment 
     scrubber.disabled = !moment
     showPlaying(playing !== null)
     // While a stroke goes on, plans come too fast to be counted, and only their ends are seen.
-    if (moment && (setup === committed || !isAtEnd(moment))) showSteps(state, moment)
+    const isCounted = setup === committed || scrubber.value !== scrubber.max
+    if (moment && (isCounted || !isAtEnd(moment))) showSteps(state, moment)
     if (!moment) {
       setText(count, 'No steps')
       if (ticked) ticks.replaceChildren()

@@ -35,7 +35,9 @@ export class Hand {
     this.#store = store
     // Something else was changed, as by a file that has been read: a stroke does not go on upon it.
     store.subscribe((now, before) => {
-      if (now.committed !== before.committed) this.#tool = null
+      if (now.committed === before.committed) return
+      this.#tool = null
+      this.#pinch = null
     })
   }
 

@@ -1,5 +1,5 @@
 import type { Point } from '../../grid/grid'
-import { panBy, zoomAt } from '../../render/view'
+import { panBy, type View, zoomAt } from '../../render/view'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
 import { look } from '../state/transitions'
@@ -26,29 +26,32 @@ export function panTool(store: Store<State>, from: Point): Tool {
   }
 }
 
-/** Two fingers: the map follows both, so that it can be moved and zoomed at once. */
+/**
+ * Two fingers: the map follows both, so that it can be moved and zoomed at once. All is reckoned from
+ * where they were put down, since they are told of one by one: of a zoom that on the way to both was
+ * too large a part would be missing from then on.
+ */
 export class Pinch {
   readonly #store: Store<State>
-  #middle: Point
-  #distance: number
+  readonly #view: View
+  readonly #middle: Point
+  readonly #distance: number
 
   constructor(store: Store<State>, a: Point, b: Point) {
     this.#store = store
+    this.#view = store.state.view
     this.#middle = middleOf(a, b)
     this.#distance = distanceOf(a, b)
   }
 
   move(a: Point, b: Point): void {
+    const { x, y } = this.#middle
     const middle = middleOf(a, b)
-    const distance = distanceOf(a, b)
-    const factor = distance / this.#distance
-    const [dx, dy] = [middle.x - this.#middle.x, middle.y - this.#middle.y]
-    this.#middle = middle
-    this.#distance = distance
+    const factor = distanceOf(a, b) / this.#distance
     this.#store.update((state) => {
       const { grid } = state.setup.problem
-      const zoomed = zoomAt(state.view, factor, middle.x - dx, middle.y - dy, grid)
-      return look(state, panBy(zoomed, dx, dy, grid, state.screen))
+      const zoomed = zoomAt(this.#view, factor, x, y, grid)
+      return look(state, panBy(zoomed, middle.x - x, middle.y - y, grid, state.screen))
     })
   }
 }

@@ -2,6 +2,7 @@ import * as v from 'valibot'
 import { InputError } from '../errors'
 import { describe } from '../excerpt'
 import type { Grid } from '../grid'
+import { plural } from '../plural'
 import { checkSize } from '../problem'
 import { type OpenedMap, openedWithoutEnds } from './opened-map'
 import { list, readShape, whole } from './shape'
@@ -28,7 +29,9 @@ export function readOriginal(value: unknown): OpenedMap {
 function gridFromColumns(width: number, height: number, columns: readonly unknown[]): Grid {
   checkSize(width, height)
   if (columns.length !== width) {
-    throw new InputError(`"wall_map" has ${columns.length} columns, but "size.x" is ${width}.`)
+    throw new InputError(
+      `"wall_map" has ${columns.length} ${plural(columns.length, 'column')}, but "size.x" is ${width}.`,
+    )
   }
   const walls = new Uint8Array(width * height)
   columns.forEach((column: unknown, x) => {
@@ -37,7 +40,7 @@ function gridFromColumns(width: number, height: number, columns: readonly unknow
     }
     if (column.length !== height) {
       throw new InputError(
-        `"wall_map" column ${x} has ${column.length} cells, but "size.y" is ${height}.`,
+        `"wall_map" column ${x} has ${column.length} ${plural(column.length, 'cell')}, but "size.y" is ${height}.`,
       )
     }
     for (let y = 0; y < height; y++) {

@@ -35,7 +35,7 @@ export const blocks = generator({
       max: 100,
       default: 30,
       unit: '%',
-      help: 'Share of the blocks that are hollow, with one to three doors in their walls.',
+      help: 'Share of the blocks from 3 cells wide that are hollow, with one to three doors in their walls.',
     },
   ],
 

@@ -82,7 +82,7 @@ describe('the file of the original program', () => {
     [
       'with a column too short',
       { wall_map: columns('000', '000', '0') },
-      '"wall_map" column 2 has 1 cells, but "size.y" is 3.',
+      '"wall_map" column 2 has 1 cell, but "size.y" is 3.',
     ],
     [
       'with a column that is none',
