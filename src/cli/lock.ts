@@ -1,9 +1,11 @@
-import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { dirname } from 'node:path'
 import { InputError } from '../grid/errors'
 
 /**
  * Does work that writes to a file, and keeps other runs from writing to it meanwhile. The file beside
- * it that says so names this process: it counts no more when that was killed and left it behind.
+ * it that says so names this process: it counts no more when that was killed and left it behind. A
+ * folder that is missing is made.
  * @throws InputError if another run writes to the file
  */
 export async function whileLocked(path: string, work: () => Promise<void>): Promise<void> {
@@ -17,6 +19,7 @@ export async function whileLocked(path: string, work: () => Promise<void>): Prom
     }
     rmSync(lock)
   }
+  mkdirSync(dirname(path), { recursive: true })
   writeFileSync(lock, String(process.pid), { flag: 'wx' })
   try {
     await work()
