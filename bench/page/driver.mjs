@@ -3,7 +3,7 @@
 /** @typedef {import('@playwright/test').Page} Page */
 
 /** Waits until the map of this width is painted to its last cell. @param {Page} page @param {number} width */
-export async function painted(page, width) {
+async function painted(page, width) {
   await page.waitForFunction(
     (wanted) => {
       const { width, painted } = document.getElementById('map')?.dataset ?? {}

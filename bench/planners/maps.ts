@@ -1,5 +1,5 @@
-import { generators, type Size } from '../../src/grid/generators'
-import { type Cell, emptyGrid, type Grid, pointOf } from '../../src/grid/grid'
+import { generators } from '../../src/grid/generators'
+import { type Cell, emptyGrid, type Grid, pointOf, type Size } from '../../src/grid/grid'
 import { randomInteger, randomNumbers } from '../../src/grid/random'
 import { distance } from '../../src/grid/simplest-path'
 import { Flood } from './plain/flood'

@@ -1,4 +1,4 @@
-import { darkTheme } from '../../src/render/theme'
+import { themes } from '../../src/render/theme'
 import {
   chooseFromMapMenu,
   choosePlanner,
@@ -166,12 +166,12 @@ test('a cleared path comes back with undo or the next change, and goes with redo
 test('an edit is on screen while the pointer is down', async ({ map, page }) => {
   await openMap(page, '.....\nS...G\n.....')
   await map.press([1, 0])
-  await map.expectColour([1, 0], darkTheme.obstacle.seen)
+  await map.expectColour([1, 0], themes.dark.obstacle.seen)
   await map.moveTo(2, 1)
-  await map.expectColour([2, 1], darkTheme.obstacle.seen)
+  await map.expectColour([2, 1], themes.dark.obstacle.seen)
   await map.release()
   await map.press([1, 0])
   await map.moveTo(2, 1)
-  await map.expectColour([2, 1], darkTheme.path)
+  await map.expectColour([2, 1], themes.dark.path)
   await map.release()
 })

@@ -1,4 +1,4 @@
-import { outcomeInWords } from '../../src/app/words/words'
+import { outcomeInWords } from '../../src/app/words/outcome-in-words'
 import {
   type AnyPlanner,
   type Param,

@@ -48,9 +48,9 @@ export function weightsTo(goal: Cell, cost: Cost, width: number): (cell: Cell) =
   const y = Math.floor(goal / width)
   const share = 1 / width
   return (cell) => {
-    const above = rowOf(cell, share)
-    const across = Math.abs(cell - above * width - x)
-    const down = Math.abs(above - y)
+    const row = rowOf(cell, share)
+    const across = Math.abs(cell - row * width - x)
+    const down = Math.abs(row - y)
     return costAcross(across, down, more)
   }
 }

@@ -1,7 +1,7 @@
 import type { Cell } from '../grid/grid'
+import { int32View } from '../grid/int32-view'
 import { allLegalSteps } from '../grid/legal-steps'
 import type { Problem } from '../grid/problem'
-import { wordsOf } from '../grid/words'
 import { EVENT } from '../trace/events'
 import type { Tape } from '../trace/tape'
 import { costParam } from './costs'
@@ -82,7 +82,7 @@ const counted = new WeakMap<Uint8Array, Int32Array>()
 function freeInRows({ grid: { width, height, walls } }: Problem, legal: Uint8Array): Int32Array {
   const known = counted.get(legal)
   if (known) return known
-  const words = wordsOf(walls)
+  const words = int32View(walls)
   const free = new Int32Array(height).map((_, y) => {
     return width - countObstacles(walls, words, y * width, (y + 1) * width)
   })

@@ -1,4 +1,4 @@
-/** The element of this id, which `index.html` has to contain. */
+/** The element of this id, which the page has to contain. */
 export function byId<E extends HTMLElement>(id: string, type: new () => E): E {
   const element = document.getElementById(id)
   if (element instanceof type) return element

@@ -1,17 +1,17 @@
 import type { Scene } from '../render/scene'
-import { darkTheme, lightTheme } from '../render/theme'
+import type { Theme } from '../render/theme'
 import { comparedPaths } from './compare/paths'
 import type { Moment } from './playback/moment'
 import { plannerOf, type Setup, valuesOf } from './state/setup'
 import type { State } from './state/state'
 
 /** What is to be drawn. */
-export function sceneOf(state: State, moment: Moment | null, isDark: boolean): Scene {
+export function sceneOf(state: State, moment: Moment | null, theme: Theme): Scene {
   const { setup, preferences, cursor, cursorShown, hovered } = state
   const shown = moment?.shown
   return {
     problem: setup.problem,
-    theme: isDark ? darkTheme : lightTheme,
+    theme,
     plan: moment && { tape: moment.shown.tape, frame: moment.frame },
     sensorRange: sensorRangeOf(shown?.setup ?? setup),
     sight: preferences.sight,

@@ -1,6 +1,8 @@
 import { Picture } from '../render/picture'
 import type { Scene } from '../render/scene'
+import { themes } from '../render/theme'
 import { Cards } from './layout/cards'
+import { PageTheme } from './page-theme'
 import { type Moment, Moments } from './playback/moment'
 import { Playback } from './playback/playback'
 import { played } from './playback/transport'
@@ -27,7 +29,7 @@ export class Stage {
   readonly #map: HTMLElement
   readonly #picture: Picture
   readonly #cards: Cards
-  readonly #lightness = window.matchMedia('(prefers-color-scheme: light)')
+  readonly #theme: PageTheme
   /** Called first in every frame. */
   readonly #tick: () => void
   readonly #moments = new Moments()
@@ -45,7 +47,7 @@ export class Stage {
     this.#picture = new Picture(map)
     this.#cards = new Cards(document, (byUser) => this.coversChanged(byUser))
     window.addEventListener('resize', () => this.#resize())
-    this.#lightness.addEventListener('change', () => {
+    this.#theme = new PageTheme(() => {
       this.#rendered = null
       this.#request()
     })
@@ -66,7 +68,8 @@ export class Stage {
   /** What is drawn of the state as it is now. */
   scene(): Scene {
     const { state } = this.#store
-    return sceneOf(state, this.#moments.of(state), this.#isDark(state))
+    const theme = this.#theme.for(state.preferences.theme)
+    return sceneOf(state, this.#moments.of(state), themes[theme])
   }
 
   /** Something that floats above the map has another size or place. */
@@ -130,14 +133,10 @@ export class Stage {
   }
 
   #showPanels(state: State): void {
-    document.documentElement.setAttribute('theme', this.#isDark(state) ? 'dark' : 'light')
+    this.#theme.show(state.preferences.theme)
     const moment = this.#moments.of(state)
     for (const show of this.#panels) show(state, moment)
     this.#map.setAttribute('aria-label', mapLabel(state))
-  }
-
-  #isDark({ preferences }: State): boolean {
-    return preferences.theme === 'system' ? !this.#lightness.matches : preferences.theme === 'dark'
   }
 
   #measure(): void {

@@ -33,7 +33,7 @@ export interface Axis {
   readonly scale: 'linear' | 'log' | 'percent'
 }
 
-export interface ChartTable {
+interface ChartTable {
   readonly columns: readonly string[]
   readonly rows: readonly (readonly string[])[]
 }

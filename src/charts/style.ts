@@ -7,6 +7,9 @@ export interface ChartTheme {
   readonly series: readonly string[]
 }
 
+/** As the page has them. */
+export type ThemeName = 'dark' | 'light'
+
 // After M. Okabe and K. Ito, "Color universal design", 2008; lighter or darker where it was needed
 // to stand out on the surface.
 export const chartThemes = {
@@ -40,7 +43,7 @@ export const chartThemes = {
       '#161c2d',
     ],
   },
-} as const satisfies Record<'dark' | 'light', ChartTheme>
+} as const satisfies Record<ThemeName, ChartTheme>
 
 const SYMBOLS = ['circle', 'square', 'triangle', 'diamond', 'star', 'cross', 'wye'] as const
 const DASHES = ['', '6 3', '2 3', '9 3 2 3', '12 4'] as const

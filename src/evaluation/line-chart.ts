@@ -1,7 +1,7 @@
 import { linearScale, type Scale } from './scale'
 import { document, element, FAINT, line, px, STYLES, text } from './svg'
 
-export interface LinePoint {
+interface LinePoint {
   readonly x: number
   readonly y: number
   /** Ends of the interval around y. */

@@ -4,11 +4,11 @@
  */
 export class InOrder<Item> {
   readonly #waiting = new Map<number, Item>()
-  readonly #hand: (item: Item, number: number) => void
+  readonly #hand: (item: Item) => void
   #next: number
 
   /** @param hand is called with one item after the other, beginning with number `first` */
-  constructor(first: number, hand: (item: Item, number: number) => void) {
+  constructor(first: number, hand: (item: Item) => void) {
     this.#next = first
     this.#hand = hand
   }
@@ -24,7 +24,7 @@ export class InOrder<Item> {
       const next = this.#waiting.get(this.#next)
       if (next === undefined) return
       this.#waiting.delete(this.#next)
-      this.#hand(next, this.#next)
+      this.#hand(next)
       this.#next++
     }
   }

@@ -1,6 +1,6 @@
 import type { ParamValue } from '../algorithms/params'
 import { plannerById } from '../algorithms/plan'
-import type { Size } from '../grid/generators'
+import type { Size } from '../grid/grid'
 import type { DiagonalRule } from '../grid/steps'
 
 /** The name and the version that settings files carry. */

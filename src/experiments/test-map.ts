@@ -20,7 +20,7 @@ export interface TestMap {
   readonly distance: number
   /** No two free cells at the least distance were found in so many tries; these are the farthest. */
   readonly tooNear: boolean
-  /** The seed of planners whom chance plays a part in. */
+  /** The seed for planners in which chance plays a part. */
   readonly plannerSeed: number
 }
 

@@ -1,5 +1,5 @@
 import type { Cell } from './grid'
-import { wordsOf } from './words'
+import { int32View } from './int32-view'
 
 /** What was changed to make some walls of others, which may be forgotten. */
 interface Edit {
@@ -52,7 +52,7 @@ export function differences(
   if (compareBytes?.(a, b) === 0) return []
   const cells: Cell[] = []
   // Four cells at a time, of millions.
-  const [as, bs] = [wordsOf(a), wordsOf(b)]
+  const [as, bs] = [int32View(a), int32View(b)]
   const words = Math.min(as.length, bs.length)
   for (let i = 0; cells.length <= most; i++) {
     while (i < words && as[i] === bs[i]) i++

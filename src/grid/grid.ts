@@ -3,10 +3,14 @@ import { noteEdit } from './edits'
 /** Index of a cell, `y * width + x`; (0, 0) is the top left of the map. */
 export type Cell = number
 
-/** A map of free cells (0) and obstacles (1), row by row. All outside it is obstacle. Never mutated. */
-export interface Grid {
+/** The side lengths of a map in cells. */
+export interface Size {
   readonly width: number
   readonly height: number
+}
+
+/** A map of free cells (0) and obstacles (1), row by row. All outside it is obstacle. Never mutated. */
+export interface Grid extends Size {
   readonly walls: Uint8Array
 }
 
@@ -15,6 +19,9 @@ export interface Point {
   readonly x: number
   readonly y: number
 }
+
+export const isSameSize = (a: Size, b: Size): boolean =>
+  a.width === b.width && a.height === b.height
 
 export const isSamePlace = (a: Point, b: Point): boolean => a.x === b.x && a.y === b.y
 
@@ -26,8 +33,8 @@ export function emptyGrid(width: number, height: number): Grid {
   return { width, height, walls: new Uint8Array(width * height) }
 }
 
-export function isInside(grid: Grid, x: number, y: number): boolean {
-  return x >= 0 && y >= 0 && x < grid.width && y < grid.height
+export function isInside({ width, height }: Size, x: number, y: number): boolean {
+  return x >= 0 && y >= 0 && x < width && y < height
 }
 
 /** Whether (x, y) is an obstacle; everything outside the map is. */

@@ -1,9 +1,9 @@
 import { InputError } from './errors'
 import { type Cell, cellName, type Grid, MAX_SIDE, MIN_SIDE } from './grid'
+import { int32View } from './int32-view'
 import { isKnown } from './legal-steps'
 import { plural } from './plural'
 import { DIAGONAL_RULES, type DiagonalRule } from './steps'
-import { wordsOf } from './words'
 
 /** What every planner is asked: the way from start to goal on a map, under one rule. A value. */
 export interface Problem {
@@ -50,7 +50,7 @@ function checkWalls({ width, walls }: Grid): void {
 
 /** All bits that any of the cells has, four cells in a word. */
 function bitsOf(walls: Uint8Array): number {
-  const words = wordsOf(walls)
+  const words = int32View(walls)
   let bits = 0
   let i = 0
   for (; i + 3 < words.length; i += 4) bits |= words[i] | words[i + 1] | words[i + 2] | words[i + 3]

@@ -17,10 +17,10 @@ export function distance(a: Point, b: Point): number {
 
 /** Cost of the simplest path between two cells of a map; a straight step costs 1. */
 export function simplestPathCost(a: Cell, b: Cell, width: number, diagonalCost: number): number {
-  const aboveA = Math.floor(a / width)
-  const aboveB = Math.floor(b / width)
-  const across = Math.abs(a - aboveA * width - (b - aboveB * width))
-  return costAcross(across, Math.abs(aboveA - aboveB), diagonalCost - 1)
+  const rowA = Math.floor(a / width)
+  const rowB = Math.floor(b / width)
+  const across = Math.abs(a - rowA * width - (b - rowB * width))
+  return costAcross(across, Math.abs(rowA - rowB), diagonalCost - 1)
 }
 
 /** The same by how many columns and rows they are apart; a diagonal step costs 1 + `more`. */

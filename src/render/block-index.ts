@@ -1,4 +1,5 @@
 import type { Cell } from '../grid/grid'
+import { larger } from '../grid/larger'
 import type { Box } from './box'
 
 /** Side of a block in cells. */
@@ -70,9 +71,7 @@ export class BlockIndex {
   }
 
   #grow(): void {
-    const grown = new Int32Array(2 * this.#before.length)
-    grown.set(this.#before)
-    this.#before = grown
+    this.#before = larger(this.#before, new Int32Array(2 * this.#before.length))
   }
 }
 

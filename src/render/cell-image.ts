@@ -1,4 +1,4 @@
-import type { Cell } from '../grid/grid'
+import { type Cell, isSameSize, type Size } from '../grid/grid'
 import type { Field, Frame } from '../trace/frame'
 import type { Tape } from '../trace/tape'
 import { type Box, GrowingBox } from './box'
@@ -10,9 +10,7 @@ import type { Theme } from './theme'
 import { type Tiling, tileAt, tilingOf } from './tiling'
 
 /** What an image was painted from. The frame is not kept, because playing goes on changing it. */
-interface Painted {
-  readonly width: number
-  readonly height: number
+interface Painted extends Size {
   readonly walls: Uint8Array
   readonly theme: Theme
   readonly tape: Tape | null
@@ -31,9 +29,6 @@ function paintedFrom(scene: Scene): Painted {
   const field = scene.showPotential && plan ? plan.frame.field : null
   return { width, height, walls, theme, tape, time, sight: sightOf(scene), field }
 }
-
-const isSameSize = (before: Painted, now: Painted): boolean =>
-  now.width === before.width && now.height === before.height
 
 /** With more events than this for each cell of the map, it is quicker to paint the whole map. */
 const MOST_EVENTS = 0.125

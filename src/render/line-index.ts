@@ -1,4 +1,5 @@
 import type { Cell } from '../grid/grid'
+import { larger } from '../grid/larger'
 import { BLOCK, BlockIndex } from './block-index'
 import type { Box } from './box'
 import { boxInView, MOST_IN_VIEW, mayBeSeen, type Placement } from './placement'
@@ -56,9 +57,7 @@ export class LineIndex {
   }
 
   #grow(): void {
-    const grown = new Int32Array(2 * this.#short.length)
-    grown.set(this.#short)
-    this.#short = grown
+    this.#short = larger(this.#short, new Int32Array(2 * this.#short.length))
   }
 }
 

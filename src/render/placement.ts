@@ -1,4 +1,4 @@
-import type { Cell, Grid } from '../grid/grid'
+import type { Cell, Size } from '../grid/grid'
 import type { Box } from './box'
 import type { View } from './view'
 
@@ -27,11 +27,7 @@ export interface Placement {
   readonly toY: number
 }
 
-export function placeMap(
-  view: View,
-  { width, height }: Pick<Grid, 'width' | 'height'>,
-  screen: DeviceScreen,
-): Placement {
+export function placeMap(view: View, { width, height }: Size, screen: DeviceScreen): Placement {
   const { pixel } = screen
   const cell = view.scale * pixel
   const left = Math.round(view.left * pixel)

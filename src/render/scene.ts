@@ -1,4 +1,4 @@
-import type { Cell } from '../grid/grid'
+import { type Cell, isSameSize } from '../grid/grid'
 import type { Problem } from '../grid/problem'
 import type { Frame } from '../trace/frame'
 import type { Tape } from '../trace/tape'
@@ -39,8 +39,7 @@ export interface Scene {
 
 /** The plan; `null` as well if it was made for a map of another size, whose cells are not these. */
 export function planOnMap({ problem, plan }: Scene): PlanMoment | null {
-  const { width, height } = problem.grid
-  return plan?.tape.width === width && plan.tape.height === height ? plan : null
+  return plan && isSameSize(plan.tape, problem.grid) ? plan : null
 }
 
 /**

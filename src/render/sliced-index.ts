@@ -1,3 +1,4 @@
+import { isSameSize } from '../grid/grid'
 import type { Cells } from '../trace/frame'
 import type { Tape } from '../trace/tape'
 import { runFor, type Work } from './work'
@@ -63,7 +64,7 @@ export class SlicedIndex<Index> {
 
   #beginOn(tape: Tape): void {
     // The index of the plan before is shown until this one has its own, unless the map has another size.
-    if (tape.width !== this.#tape?.width || tape.height !== this.#tape.height) this.#clear()
+    if (!this.#tape || !isSameSize(tape, this.#tape)) this.#clear()
     this.#tape = tape
     this.#indexer = null
     this.#length = 0

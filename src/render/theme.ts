@@ -51,7 +51,7 @@ export interface Theme {
   readonly failed: string
 }
 
-export const darkTheme: Theme = {
+const dark: Theme = {
   name: 'dark',
   outside: '#070c1a',
   border: '#3a4a78',
@@ -88,7 +88,7 @@ export const darkTheme: Theme = {
   failed: '#ff7b72',
 }
 
-export const lightTheme: Theme = {
+const light: Theme = {
   name: 'light',
   outside: '#e3e6ee',
   border: '#7f8aa6',
@@ -125,4 +125,5 @@ export const lightTheme: Theme = {
   failed: '#c0182b',
 }
 
-export const themes = { dark: darkTheme, light: lightTheme } as const
+/** By name. */
+export const themes = { dark, light } as const

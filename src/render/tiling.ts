@@ -1,4 +1,4 @@
-import type { Grid } from '../grid/grid'
+import type { Size } from '../grid/grid'
 import type { Box } from './box'
 
 /** Side of a tile in cells, as a power of two. */
@@ -15,7 +15,7 @@ export interface Tiling {
   readonly boxes: readonly Box[]
 }
 
-export function tilingOf({ width, height }: Pick<Grid, 'width' | 'height'>): Tiling {
+export function tilingOf({ width, height }: Size): Tiling {
   const columns = Math.ceil(width / TILE)
   const rows = Math.ceil(height / TILE)
   const boxes = Array.from({ length: columns * rows }, (_, tile) => {

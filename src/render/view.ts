@@ -1,4 +1,4 @@
-import type { Cell, Grid, Point } from '../grid/grid'
+import { type Cell, isInside, type Point, type Size } from '../grid/grid'
 
 /** Where the map lies on the screen, in CSS pixels: the side of a cell, and the map's top left. */
 export interface View {
@@ -21,8 +21,6 @@ export interface ScreenSize {
   readonly height: number
 }
 
-type MapSize = Pick<Grid, 'width' | 'height'>
-
 /** From this size on, cells have lines between them, and `fitView` gives them whole pixels. */
 export const LINES_FROM = 6
 
@@ -38,16 +36,15 @@ export function pointAt(view: View, px: number, py: number): Point {
 }
 
 /** The cell under a place on the screen; -1 outside the map. */
-export function cellAt(view: View, grid: MapSize, px: number, py: number): Cell {
+export function cellAt(view: View, grid: Size, px: number, py: number): Cell {
   const point = pointAt(view, px, py)
   const x = Math.floor(point.x)
   const y = Math.floor(point.y)
-  const inside = x >= 0 && y >= 0 && x < grid.width && y < grid.height
-  return inside ? y * grid.width + x : -1
+  return isInside(grid, x, y) ? y * grid.width + x : -1
 }
 
 /** Where a cell is on the screen. */
-export function cellRect(view: View, grid: MapSize, cell: Cell): Rect {
+export function cellRect(view: View, grid: Size, cell: Cell): Rect {
   const { scale, left, top } = view
   const x = cell % grid.width
   const y = Math.floor(cell / grid.width)
@@ -55,7 +52,7 @@ export function cellRect(view: View, grid: MapSize, cell: Cell): Rect {
 }
 
 /** Least and greatest side of a cell: the whole of a large map, or a few cells of it, can be seen. */
-export function scaleLimits(grid: MapSize): { readonly min: number; readonly max: number } {
+export function scaleLimits(grid: Size): { readonly min: number; readonly max: number } {
   const fewest = SHORTEST_MAP_SIDE / Math.max(grid.width, grid.height)
   return { min: Math.min(fewest, LARGEST_CELL), max: LARGEST_CELL }
 }
@@ -64,7 +61,7 @@ const clamp = (value: number, min: number, max: number): number =>
   Math.max(min, Math.min(value, max))
 
 /** Makes cells `factor` times as large, as far as the limits go; the place at (px, py) stays. */
-export function zoomAt(view: View, factor: number, px: number, py: number, grid: MapSize): View {
+export function zoomAt(view: View, factor: number, px: number, py: number, grid: Size): View {
   const { min, max } = scaleLimits(grid)
   const scale = clamp(view.scale * factor, min, max)
   const ratio = scale / view.scale
@@ -72,7 +69,7 @@ export function zoomAt(view: View, factor: number, px: number, py: number, grid:
 }
 
 /** Moves the map back if it has left the screen, or all but left it. */
-export function keepOnScreen(view: View, grid: MapSize, screen: ScreenSize): View {
+export function keepOnScreen(view: View, grid: Size, screen: ScreenSize): View {
   const kept = (start: number, length: number, room: number) => {
     const least = Math.min(KEPT_ON_SCREEN, length, room)
     return clamp(start, least - length, room - least)
@@ -86,12 +83,12 @@ export function keepOnScreen(view: View, grid: MapSize, screen: ScreenSize): Vie
 }
 
 /** Moves the map, but never off the screen altogether. */
-export function panBy(view: View, dx: number, dy: number, grid: MapSize, screen: ScreenSize): View {
+export function panBy(view: View, dx: number, dy: number, grid: Size, screen: ScreenSize): View {
   return keepOnScreen({ ...view, left: view.left + dx, top: view.top + dy }, grid, screen)
 }
 
 /** The view that shows the whole map, as large as it gets, in the middle of `rect`. */
-export function fitView(grid: MapSize, rect: Rect): View {
+export function fitView(grid: Size, rect: Rect): View {
   const { min } = scaleLimits(grid)
   const fitting = Math.min(
     (rect.width - 2 * FIT_MARGIN) / grid.width,

@@ -61,7 +61,7 @@ export function explain(
         ? `Start at ${name(cell)} with cost ${number(value)}.`
         : `${name(cell)} gets a shorter way, over ${name(other)}: cost ${number(value)}.`
     case EVENT.close:
-      return `Of all open ones ${name(cell)} comes first, with cost ${number(value)}${left(tape, cell, frame)}: the way to it is final.${given(openedBy(tape, first).map(({ cell }) => name(cell)))}`
+      return `Of all open ones ${name(cell)} comes first, with cost ${number(value)}${whatIsLeft(tape, cell, frame)}: the way to it is final.${whatItGives(openedBy(tape, first).map(({ cell }) => name(cell)))}`
     case EVENT.path:
       return `The parents lead back from the goal: a path of ${count(frame.path.length, 'cell')}.`
     case EVENT.attraction:
@@ -157,11 +157,11 @@ function fromTo(before: number, after: number): string {
 }
 
 /** What is left from a cell that is closed, if the search reckons with that: " and at least 3 left". */
-const left = (tape: Tape, cell: Cell, { estimate }: Frame): string =>
+const whatIsLeft = (tape: Tape, cell: Cell, { estimate }: Frame): string =>
   estimate ? ` and at least ${number(costLeft(tape, cell, estimate.goal))} left` : ''
 
 /** What a cell that is closed gives to those named so: " It gives (1, 2) and (1, 3) a shorter way." */
-function given(names: readonly string[]): string {
+function whatItGives(names: readonly string[]): string {
   if (names.length === 0) return ''
   const others = names.slice(0, -1).join(', ')
   return ` It gives ${others && `${others} and `}${names.at(-1)} a shorter way.`

@@ -1,4 +1,5 @@
 import type { Cell } from '../grid/grid'
+import { larger } from '../grid/larger'
 
 const FIRST_ROOM = 16
 
@@ -27,8 +28,7 @@ export class LongList {
   }
 
   #grow(): void {
-    const grown = new Int32Array(Math.max(FIRST_ROOM, 2 * this.#length))
-    grown.set(this.#cells)
-    this.#cells = grown
+    const room = Math.max(FIRST_ROOM, 2 * this.#length)
+    this.#cells = larger(this.#cells, new Int32Array(room))
   }
 }

@@ -1,5 +1,5 @@
 import { InputError } from '../grid/errors'
-import { type Cell, pointOf } from '../grid/grid'
+import { type Cell, pointOf, type Size } from '../grid/grid'
 
 /** So many events make a part of the text. */
 const PART = 1024
@@ -25,7 +25,7 @@ export class PosthocLines {
   #open = ''
 
   /** @param most characters that the events may have */
-  constructor({ width, height }: { width: number; height: number }, most: number) {
+  constructor({ width, height }: Size, most: number) {
     this.#width = width
     this.#known = new Uint8Array(width * height)
     this.#most = most

@@ -1,5 +1,5 @@
 import { InputError } from '../grid/errors'
-import type { Cell } from '../grid/grid'
+import { type Cell, isInside } from '../grid/grid'
 import type { EventKind } from './events'
 import { CHUNK, CHUNK_BITS, EVENT_BYTES, EVENT_WORDS, FIRST_ROOM, PLACE } from './tape-layout'
 import { LEFT_OUT, type Thinning } from './thinning'
@@ -133,8 +133,7 @@ export class Tape {
 
   /** The cell at (x, y); -1 outside the map. */
   cellAt(x: number, y: number): Cell {
-    const inside = x >= 0 && y >= 0 && x < this.width && y < this.height
-    return inside ? y * this.width + x : -1
+    return isInside(this, x, y) ? y * this.width + x : -1
   }
 
   /** Says that the planner is at this line of its pseudocode, counted from 0. */

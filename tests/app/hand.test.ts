@@ -49,6 +49,14 @@ describe('the main button', () => {
     expect(store.state.history.past).toEqual([])
   })
 
+  it('makes no new map where it changes nothing', () => {
+    press(at(0, 1))
+    move(at(3, 1))
+    const { setup } = store.state
+    move(at(1, 1), at(0, 0))
+    expect(store.state.setup).toBe(setup)
+  })
+
   it('draws a single cell with a click', () => {
     press(at(4, 1))
     release()
@@ -178,11 +186,11 @@ describe('the other buttons and Space', () => {
       release()
     }
     click(1, 1)
-    click(4, 0)
+    click(0, 0)
     click(0, 3)
     expect(store.state.setup.problem).toMatchObject({
       start: cells([0, 3])[0],
-      goal: cells([4, 0])[0],
+      goal: cells([0, 0])[0],
     })
     expect(store.state.history.past.length).toBe(3)
   })
@@ -210,7 +218,8 @@ describe('two fingers', () => {
     expect(store.state.setup).toBe(setup)
     hand.move(1, [at(1, 0)])
     hand.move(2, [at(4, 0)])
-    expect(store.state.view.scale).toBeCloseTo(60)
+    // What lay under each finger lies there still.
+    expect(store.state.view).toEqual({ scale: 60, left: -30, top: -10 })
     const { view } = store.state
     hand.release(2, true)
     hand.move(1, [at(5, 3)])

@@ -140,6 +140,17 @@ describe('the numbers of a step', () => {
     expect(rows).toMatchObject({ Phase: 'Path', Cost: '7' })
   })
 
+  it('tell on which side the boundary is, of planners with a rover only', () => {
+    const boundary = (moment: Moment) =>
+      stepNumbers(moment).find(({ label }) => label === 'Boundary')?.value
+    const begin = toStep(stateOf('bug2'), 0)
+    const hit = momentAt(toNextLandmark(begin))
+    expect(boundary(momentAt(begin))).toBe('not followed')
+    expect(boundary(hit)).toBe('on the left')
+    expect(boundary({ ...hit, frame: { ...hit.frame, turn: 1 } })).toBe('on the right')
+    expect(boundary(momentAt(stateOf('decomposition')))).toBeUndefined()
+  })
+
   it('say that a roadmap has more edges than are on the tape', () => {
     const state = stateOf('visibility-graph')
     const moment = momentAt(state)
@@ -191,6 +202,7 @@ describe('the numbers of a step', () => {
     [12345.678, '12,345.68'],
     [1e7, '10,000,000'],
     [Number.POSITIVE_INFINITY, '∞'],
+    [Number.NEGATIVE_INFINITY, '−∞'],
     [Number.NaN, '–'],
   ])('are short: %d', (number, words) => {
     expect(numberInWords(number)).toBe(words)
@@ -231,6 +243,12 @@ describe('what is known of a cell, in words', () => {
       return cellFactsInWords(momentAt(state), state.setup.problem, cell)
     }
     expect(words('decomposition', 1)).toBe('Vertex; closed, cost 1 by way of (0, 0).')
+    expect(words('decomposition', 0)).toBe('Cell 0 of the path; vertex; closed, cost 0.')
+    // (1, 1) is an obstacle, and no vertex of the grid's graph.
+    expect(words('decomposition', 6)).toBe('')
+    expect(words('bug2', 6)).toMatch(
+      /^Cell 1 of the m-line; at its side while it followed the boundary; sensed /,
+    )
     expect(words('potential-field', 24)).toMatch(/^Attraction 0; repulsion 0; potential 0/)
     expect(words('bug2', 0)).toMatch(/^Hit point 1; cell 0 of the m-line; stood on after 0 steps;/)
     // The latest three times of three, and of four.

@@ -29,6 +29,7 @@ function thinnedPlan(id: string): Shown {
 
 describe('a thinned tape', () => {
   const ids = planners.map(({ id }) => id)
+  const whole = planners.filter(({ family }) => family === 'offline').map(({ id }) => id)
 
   it.each(ids)('of %s has a sentence and numbers for each of its steps', (id) => {
     const shown = thinnedPlan(id)
@@ -44,6 +45,9 @@ describe('a thinned tape', () => {
       const sentence = stepInWords(moment)
       expect(sentence).not.toMatch(/undefined|NaN|keeping|on the (left|right)|No end|^$/)
       const rows = stepNumbers(moment)
+      const boundary = rows.find(({ label }) => label === 'Boundary')?.value
+      const told = moment.frame.following ? 'followed' : 'not followed'
+      expect(boundary).toBe(whole.includes(id) ? undefined : told)
       expect(rows.map(({ label }) => label)).not.toContain('Open')
       expect(rows.map(({ value }) => value).join()).not.toMatch(/undefined|NaN|on the/)
       // What is not on the tape has no row: at the end all of them have a value.

@@ -3,6 +3,7 @@ import { presets } from '../../src/app/experiments/presets'
 import { chartsOf } from '../../src/charts/charts'
 import { linesOptions } from '../../src/charts/draw-lines'
 import { chartThemes, seriesStyle } from '../../src/charts/style'
+import { millisecondsInWords, successInWords } from '../../src/charts/words'
 import { runMap } from '../../src/experiments/run-map'
 import { countWork, type ExperimentSettings } from '../../src/experiments/settings'
 import { contrast, rgbOf } from '../../src/render/colour'
@@ -162,6 +163,52 @@ describe('the marks', () => {
       expect(y).toBe(2)
       expect(label).toMatch('mean 2.0 ms')
     }
+  })
+})
+
+describe('the words', () => {
+  it('of the heat map name the best of its cells', () => {
+    const field = chart('field')
+    if (field.kind !== 'cells') throw new Error('It has no cells.')
+    const { summary, marks } = field
+    const best = Math.max(...marks.map(({ value }) => value))
+    const [first] = marks.filter(({ value }) => value === best)
+    const share = `${(100 * best).toFixed(1)} %`
+    expect(summary).toContain(`influence ${first.x} and repulsive value ${first.y}: ${share}.`)
+    expect(new Set(marks.map(({ value }) => value)).size).toBeGreaterThan(1)
+  })
+
+  it('of success over density count the settings that never failed, and tell of the others', () => {
+    const { series, marks, summary } = chart('success')
+    const curves = series.map((_, number) => marks.filter((mark) => mark.series === number))
+    const failing = curves.filter((own) => own.some(({ y }) => y < 1))
+    expect([failing.length > 0, failing.length < curves.length]).toEqual([true, true])
+    const always = curves.length - failing.length
+    expect(summary).toContain(`${always} of ${curves.length} planner settings always reached it.`)
+    for (const own of failing) {
+      const [from, to] = [own[0], own[own.length - 1]].map(({ y }) => `${(100 * y).toFixed(1)} %`)
+      expect(summary).toContain(`${series[own[0].series].name} from ${from} to ${to}`)
+    }
+  })
+
+  it('of a success have its share, its numbers and its interval', () => {
+    const share = { rate: 0.9141, low: 0.8673, high: 0.9466 }
+    const success = { ...share, rows: rows.slice(0, 20), failures: rows.slice(0, 2) }
+    expect(successInWords(success)).toBe('91.4 % (18 of 20; 95 % interval 86.7 % to 94.7 %)')
+    expect(successInWords({ ...success, rows: [], failures: [] })).toBe(
+      'no goal that can be reached',
+    )
+  })
+
+  it.each([
+    [0, '0 ms'],
+    [0.0123, '0.012 ms'],
+    [7.25, '7.3 ms'],
+    [99.4, '99 ms'],
+    [1234.5, '1235 ms'],
+    [Number.NaN, '–'],
+  ])('of %d milliseconds have two digits that count', (milliseconds, words) => {
+    expect(millisecondsInWords(milliseconds)).toBe(words)
   })
 })
 

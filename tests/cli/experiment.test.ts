@@ -5,7 +5,16 @@ import { describe, expect, test } from 'vitest'
 import { runMaps } from '../../src/cli/pool'
 import { openResults, readSettings, runMap } from '../../src/index'
 import { timeless } from '../experiments/settings'
-import { pathOf, run, runUntil, settingsFile, textOf, timelessText, useProgram } from './program'
+import {
+  pathOf,
+  run,
+  runInto,
+  runUntil,
+  settingsFile,
+  textOf,
+  timelessText,
+  useProgram,
+} from './program'
 
 useProgram()
 
@@ -180,6 +189,13 @@ describe('shards are only merged', () => {
     writeFileSync(pathOf('empty.jsonl'), '')
     expect(fault(a, 'empty.jsonl')).toContain('empty.jsonl is empty.')
   })
+})
+
+test('a reader that has seen enough ends a run, and nothing is said of it', () => {
+  const settings = settingsFile('longer.json', LONGER)
+  const { stdout, stderr } = runInto('head -n 1', settings, '--workers', '2')
+  expect(JSON.parse(stdout).settings).toMatchObject(LONGER)
+  expect(stderr).not.toMatch(/EPIPE|error/i)
 })
 
 test('what cannot be written ends a run, and of a merge nothing is left', async () => {

@@ -7,7 +7,7 @@ import { afterAll, beforeAll, vi } from 'vitest'
 import { SMALL } from '../experiments/settings'
 
 /** A folder for the program, built as `npm run build` does it, and for the files of the tests. */
-export const folder = mkdtempSync(join(tmpdir(), 'path-planner-'))
+const folder = mkdtempSync(join(tmpdir(), 'path-planner-'))
 export const pathOf = (name: string): string => join(folder, name)
 
 /** Programs take their time to start on a busy machine. */
@@ -38,6 +38,16 @@ export function run(...args: string[]) {
     maxBuffer: 2 ** 26,
   })
   return { status, stdout, stderr }
+}
+
+/** Runs the program with its output going into another one. */
+export function runInto(reader: string, ...args: string[]) {
+  const pipe = `"$0" "$@" | ${reader}`
+  const { stdout, stderr } = spawnSync('sh', ['-c', pipe, process.execPath, ...start(args)], {
+    cwd: folder,
+    encoding: 'utf8',
+  })
+  return { stdout, stderr }
 }
 
 /** Starts the program and sends it a signal as soon as its output file has so many bytes. */

@@ -1,5 +1,6 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
+import { gridFromRows } from '../../src/grid/text-map'
 import { type DiagonalRule, InputError, problemFromText, problemToText } from '../../src/index'
 import { problems } from './arbitraries'
 
@@ -51,6 +52,26 @@ describe('what is wrong is named with its place', () => {
     expect(() => problemFromText(text)).toThrow(InputError)
     expect(() => problemFromText(text)).toThrow(message)
   })
+})
+
+test('rows of a map are its obstacles and free cells, and nothing else', () => {
+  expect(gridFromRows(['.#', '..', '##'])).toEqual({
+    width: 2,
+    height: 3,
+    walls: Uint8Array.of(0, 1, 0, 0, 1, 1),
+  })
+  const cases: [readonly unknown[], string][] = [
+    [[], "The map's width is 0"],
+    [['..', '.S.'], 'Row 2 has 3 cells, but row 1 has 2.'],
+    [['..', '.S'], '"S" at (1, 1) is no cell: use "#" obstacle, "." free.'],
+    [['...', 'xyz'], '"x" at (0, 1) is no cell'],
+    [['..', 3], 'Row 2 must be a text of "#" and ".", but is 3.'],
+    [[null, '..'], 'Row 1 must be a text of "#" and ".", but is null.'],
+  ]
+  for (const [rows, message] of cases) {
+    expect(() => gridFromRows(rows)).toThrow(InputError)
+    expect(() => gridFromRows(rows)).toThrow(message)
+  }
 })
 
 test('what is no text, and a rule that is none, are refused', () => {

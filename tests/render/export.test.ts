@@ -3,6 +3,7 @@ import { InputError } from '../../src/grid/errors'
 import { randomInteger, randomNumbers } from '../../src/grid/random'
 import { problemFromText } from '../../src/grid/text-map'
 import { CellImage } from '../../src/render/cell-image'
+import { edgeLines } from '../../src/render/edge-lines'
 import { pictureAsSvg } from '../../src/render/export'
 import { isKnownObstacle } from '../../src/render/known-obstacles'
 import type { Scene } from '../../src/render/scene'
@@ -111,6 +112,28 @@ describe('a picture as SVG', () => {
     expect(drawn({ edges })).toEqual({ isCrowded: true, edges: false, vertices: true })
     const vertices = edges.subarray(0, 100_001)
     expect(drawn({ vertices })).toEqual({ isCrowded: true, edges: true, vertices: false })
+  })
+
+  it('draws the roadmap: its edges as lines, and a circle on each vertex', () => {
+    const plan = momentOf(tapeOf(problem, 'visibility-graph'))
+    const elements = elementsOf(svgOf(sceneOf(problem, { plan })))
+    const pathOf = (kind: 'fill' | 'stroke', colour: string) =>
+      elements.find(({ attributes }) => attributes.get(kind) === colour)?.attributes.get('d') ?? ''
+    const { vertices, edges } = plan.frame
+    const parts = (path: string) => path.split('M').length - 1
+    expect(parts(pathOf('fill', themes.dark.vertex))).toBe(vertices.length)
+    const lines = edgeLines(problem.grid.width, problem.grid.height, edges)
+    expect(parts(pathOf('stroke', themes.dark.roadmap))).toBe(lines.length / 2)
+  })
+
+  it('writes potentials only if they are shown', () => {
+    const plan = momentOf(tapeOf(problem, 'potential-field'))
+    const texts = (showPotential: boolean) =>
+      elementsOf(svgOf(sceneOf(problem, { plan, showPotential }))).filter(
+        ({ name }) => name === 'text',
+      ).length
+    expect(texts(true)).toBe(23 * 17 - obstacles)
+    expect(texts(false)).toBe(0)
   })
 
   it('refuses maps that would make files too large', () => {

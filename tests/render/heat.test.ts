@@ -38,6 +38,11 @@ describe('heatLevel', () => {
     expect(heatLevel(range, 10_000)).toBe(HEAT_LEVELS - 1)
   })
 
+  it('begins with the least potential of the field', () => {
+    const levels = [100, 200, 500].map((potential) => heatLevel({ min: 100, max: 500 }, potential))
+    expect(levels).toEqual([0, 128, HEAT_LEVELS - 1])
+  })
+
   it('is -1 where there is no finite potential', () => {
     expect(heatLevel(range, Number.NaN)).toBe(-1)
     expect(heatLevel(range, Number.POSITIVE_INFINITY)).toBe(-1)

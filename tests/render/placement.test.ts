@@ -1,6 +1,14 @@
 import { describe, expect, it } from 'vitest'
 import { randomNumbers } from '../../src/grid/random'
-import { centreX, centreY, edgeX, edgeY, isVisible, placeMap } from '../../src/render/placement'
+import {
+  centreX,
+  centreY,
+  edgeX,
+  edgeY,
+  isVisible,
+  mayBeSeen,
+  placeMap,
+} from '../../src/render/placement'
 
 const screen = { width: 400, height: 300, pixel: 2 }
 
@@ -30,11 +38,26 @@ describe('placeMap', () => {
     }
   })
 
-  it('sees marks that reach onto the screen from a cell beside it', () => {
-    const place = placeMap({ scale: 1, left: -10, top: 0 }, { width: 100, height: 100 }, screen)
-    expect(isVisible(place, 9)).toBe(true)
-    expect(
-      isVisible(placeMap({ scale: 1, left: -60, top: 0 }, { width: 100, height: 9 }, screen), 9),
-    ).toBe(false)
+  const grid = { width: 100, height: 100 }
+  const cell = (x: number, y: number) => y * 100 + x
+  /** Columns 20 to 39 and rows 30 to 44 can be seen. */
+  const place = placeMap({ scale: 10, left: -200, top: -300 }, grid, screen)
+
+  it('sees marks that reach onto the screen from up to two cells beside it', () => {
+    expect([place.fromX, place.toX, place.fromY, place.toY]).toEqual([20, 40, 30, 45])
+    const seenAt = (...cells: readonly (readonly [number, number])[]) =>
+      cells.map(([x, y]) => isVisible(place, cell(x, y)))
+    expect(seenAt([18, 28], [41, 28], [18, 46], [41, 46])).toEqual([true, true, true, true])
+    expect(seenAt([17, 40], [42, 40], [30, 27], [30, 47])).toEqual([false, false, false, false])
+  })
+
+  it('sees lines that lie on the screen or touch its edge', () => {
+    const seen = (ax: number, ay: number, bx: number, by: number) =>
+      mayBeSeen(place, cell(ax, ay), cell(bx, by))
+    expect([seen(19, 0, 19, 99), seen(18, 0, 18, 99)]).toEqual([true, false])
+    expect([seen(40, 99, 40, 0), seen(41, 99, 41, 0)]).toEqual([true, false])
+    expect([seen(0, 29, 99, 29), seen(0, 28, 99, 28)]).toEqual([true, false])
+    expect([seen(99, 45, 0, 45), seen(99, 46, 0, 46)]).toEqual([true, false])
+    expect(seen(0, 40, 99, 40)).toBe(true)
   })
 })

@@ -92,8 +92,12 @@ describe('an index that is made in slices', () => {
     expect(shown(index)).toEqual(nothingElse(second))
     expect(index.update(newTape(ROWS, COLUMNS), manyEdges, () => true)).toBe(false)
     expect(index.ready).toBeNull()
-    index.update(other, second, () => true)
-    expect(index.update(null, [], () => true)).toBe(true)
-    expect(index.ready).toBeNull()
+    // A plan without a roadmap, and none at all.
+    for (const tape of [newTape(), null]) {
+      index.update(other, second, () => true)
+      expect(index.ready).not.toBeNull()
+      expect(index.update(tape, [], () => true)).toBe(true)
+      expect([index.ready, index.readyLength]).toEqual([null, 0])
+    }
   })
 })

@@ -19,6 +19,7 @@ describe('colours', () => {
 
   it('mix channel by channel', () => {
     expect(mix(rgbOf('#000a14'), rgbOf('#640a00'), 0.5)).toEqual([50, 10, 10])
+    expect(mix([0, 10, 0], [3, 0, 10], 0.25)).toEqual([1, 8, 3])
   })
 })
 

@@ -113,6 +113,15 @@ describe('fitView', () => {
     }
   })
 
+  it.each([
+    ['wide', { width: 400, height: 100 }, 'left', 700],
+    ['high', { width: 100, height: 400 }, 'top', 500],
+  ] as const)('leaves 16 pixels on each side of a %s map', (_, size, side, room) => {
+    const view = fitView(size, { left: 0, top: 0, width: 700, height: 500 })
+    expect(Math.abs(view[side] - 16)).toBeLessThanOrEqual(0.5)
+    expect(400 * view.scale).toBeCloseTo(room - 32)
+  })
+
   it('gives large cells whole pixels, and as many as there is room for', () => {
     const { scale } = fitView(
       { width: 60, height: 40 },

@@ -47,8 +47,7 @@ function eventsOf(tape: Tape, time: number) {
   }))
 }
 
-function naiveFacts(tape: Tape, time: number, cell: number): CellFacts {
-  const events = eventsOf(tape, time)
+function naiveFacts({ width }: Tape, events: ReturnType<typeof eventsOf>, cell: number): CellFacts {
   const here = events.filter((event) => event.cell === cell)
   const ofKind = (...kinds: string[]) => here.filter(({ kind }) => kinds.includes(kind))
   const last = (...kinds: string[]) => ofKind(...kinds).at(-1)
@@ -58,12 +57,12 @@ function naiveFacts(tape: Tape, time: number, cell: number): CellFacts {
   const walkedBy = events.slice(0, sensedAt).filter(({ kind }) => kind === 'step').length - 1
   const nodesSince = events.findLastIndex(({ kind }) => ['scan', 'hit', 'leave'].includes(kind))
   const nodes = events.slice(nodesSince + 1).filter((e) => e.kind === 'node' && e.cell === cell)
-  const row = Math.floor(cell / tape.width)
+  const row = Math.floor(cell / width)
   const search = last('open', 'close')
   return {
     isVertex:
       ofKind('vertex').length > 0 ||
-      events.some((e) => e.kind === 'row' && Math.floor(e.cell / tape.width) === row),
+      events.some((e) => e.kind === 'row' && Math.floor(e.cell / width) === row),
     edges: events.filter((e) => e.kind === 'edge' && [e.cell, e.other].includes(cell)).length,
     search: search ? (search.kind === 'open' ? 'open' : 'closed') : null,
     cost: search?.value ?? null,
@@ -88,8 +87,9 @@ describe('what a planner knows of a cell', () => {
     const stride = Math.max(1, Math.floor(tape.length / 9))
     for (let time = 0; time <= tape.length; time += stride) {
       const frame = frameAt(tape, time)
+      const events = eventsOf(tape, time)
       for (let cell = 0; cell < cells; cell++) {
-        expect(cellFacts(tape, frame, cell)).toEqual(naiveFacts(tape, time, cell))
+        expect(cellFacts(tape, frame, cell)).toEqual(naiveFacts(tape, events, cell))
       }
     }
   })

@@ -31,6 +31,78 @@ test.each([
   expect(explain(tape, 0, frameAt(tape, 1), [])).toBe(CLOSED + more)
 })
 
+type Written = Parameters<Tape['write']>
+
+/** What is said of a step that is these events, on a map of 10 × 10 cells. */
+function sentenceOf(...written: readonly Written[]): string {
+  const tape = new Tape()
+  tape.begin(10, 10)
+  for (const event of written) tape.write(...event)
+  return explain(tape, 0, frameAt(tape, tape.length), ['Build', 'Search'])
+}
+
+const SENTENCES: readonly (readonly [string, ...Written[]])[] = [
+  ['Search.', [EVENT.phase, -1, 1]],
+  ['Phase 3.', [EVENT.phase, -1, 2]],
+  ['The end at (4, 5): the goal is reached.', [EVENT.end, 54, 0]],
+  ['The end at (0, 0): a dead end.', [EVENT.end, 0, 4]],
+  ['The end: it is proven that no path exists.', [EVENT.end, -1, 1]],
+  ['Row 3: 1 free cell of the graph.', [EVENT.row, 30, 1]],
+  ['Row 0: 7 free cells of the graph.', [EVENT.row, 0, 7]],
+  [
+    '(4, 5), diagonal to obstacle (5, 6): it is free and so are both cells between them, so it is a vertex.',
+    [EVENT.test, 54, 65, 1],
+  ],
+  [
+    '(4, 5), diagonal to obstacle (5, 6): not all three cells are free, so it is no corner of this obstacle.',
+    [EVENT.test, 54, 65, 0],
+  ],
+  ['(4, 5) is a vertex of the roadmap.', [EVENT.vertex, 54]],
+  [
+    'The simplest path from (4, 5) to (0, 0) is free: an edge of cost 6.667.',
+    [EVENT.edge, 54, 0, 20 / 3],
+  ],
+  [
+    'There are more than 1000 edges: those from (4, 5) on are used, but not shown.',
+    [EVENT.cut, 54, -1, 1000],
+  ],
+  [
+    'The simplest paths between (4, 5) and (0, 0) are refused, the one from (4, 5) at (3, 4): no edge.',
+    [EVENT.refuse, 54, 0, 43],
+  ],
+  ['Start at (4, 5) with cost 0.', [EVENT.open, 54]],
+  ['(4, 5) gets a shorter way, over (0, 0): cost 7.', [EVENT.open, 54, 0, 7]],
+  ['The parents lead back from the goal: a path of 2 cells.', [EVENT.path, 0], [EVENT.path, 1]],
+  ['Row 5: the attraction is the square of the distance to the goal.', [EVENT.attraction, 50]],
+  ['Row 5: the closest obstacle repels where it is within influence.', [EVENT.repulsion, 50]],
+  ['Row 5: attraction and repulsion added up.', [EVENT.potential, 50]],
+  ['Start at (0, 0).', [EVENT.step, 0]],
+  ['Step to (1, 0): the way is free.', [EVENT.step, 1, 0]],
+  ['No end of an obstacle is in reach of (4, 5).', [EVENT.scan, 54]],
+  ['1 node in reach of (4, 5).', [EVENT.scan, 54], [EVENT.node, 3]],
+  ['The m-line: the simplest path from start to goal, 1 cell.', [EVENT.mLine, 0]],
+  [
+    'The border of the map: hit point 2 at (0, 0), follow the boundary with the obstacle on the right.',
+    [EVENT.hit, 0, -1, 2],
+    [EVENT.turn, 0, 1],
+  ],
+  [
+    '(0, 0) is an obstacle: hit point 1 at (1, 0), follow the boundary with the obstacle on the left.',
+    [EVENT.hit, 1, 0, 1],
+    [EVENT.turn, 1, 0],
+  ],
+  ['Round the obstacle once, in 12 steps, and back at (4, 5).', [EVENT.around, 54, -1, 12]],
+  ['Leave point 3 at (4, 5): away from the boundary.', [EVENT.leave, 54, -1, 3]],
+  [
+    'Loop: the same place and the same state as after 1 step, so the rover goes round for ever.',
+    [EVENT.loop, 54, -1, 1],
+  ],
+]
+
+test('each event has its sentence', () => {
+  for (const [sentence, ...events] of SENTENCES) expect(sentenceOf(...events)).toBe(sentence)
+})
+
 /** What is said of each step of a plan. */
 function told(map: string, plannerId: string, params: PlanOptions['params'] = {}): string[] {
   const tape = new Tape()

@@ -2,7 +2,7 @@ import type { Cell, Grid } from '../../../src/grid/grid'
 import type { Query } from '../maps'
 
 /** The cells of a path from start to goal; empty if none was found. */
-export type Find = (start: Cell, goal: Cell) => readonly Cell[]
+type Find = (start: Cell, goal: Cell) => readonly Cell[]
 
 /** A path finder from elsewhere, set to `only-when-no-obstacles` and steps of 1 and √2. */
 export interface Peer {

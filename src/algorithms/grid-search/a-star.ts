@@ -15,8 +15,9 @@ const STRAIGHT: Directions = 0b01010101
  * for the heuristic determination of minimum cost paths", 1968.)
  *
  * A step straight for the goal makes the way longer by what it takes from the estimate, so its cell
- * comes next of all: over open ground the search runs to the goal. Diagonal steps are opened last, for
- * to come first: after a straight one a way may not turn diagonal again unless around an obstacle.
+ * comes next of all: over open ground the search runs to the goal. Diagonal steps are opened last, so
+ * that they are taken first: after a straight one a way may not turn diagonal again unless around an
+ * obstacle.
  */
 export function aStar({ problem, legal, cost, tape, lines, progress }: SearchTask): Found {
   const { grid, start, goal, diagonal } = problem

@@ -1,5 +1,5 @@
 import type { Cell } from '../../grid/grid'
-import { larger } from './larger'
+import { larger } from '../../grid/larger'
 
 const ROOM = 256
 

@@ -1,7 +1,7 @@
 import FlatQueue from 'flatqueue'
 import type { Cell } from '../../grid/grid'
+import { larger } from '../../grid/larger'
 import { Bucket } from './bucket'
-import { larger } from './larger'
 
 const SLOTS = 1 << 10
 const ROOM = 1 << 10

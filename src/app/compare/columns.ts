@@ -1,7 +1,6 @@
 import { plannerById } from '../../algorithms/plan'
 import { compareValues } from '../sorting'
-import { lengthInWords, numberInWords } from '../words/numbers'
-import { timeInWords } from '../words/words'
+import { lengthInWords, numberInWords, timeInWords } from '../words/numbers'
 import type { ComparedPlan } from './compared'
 import type { ComparisonEntry } from './state'
 

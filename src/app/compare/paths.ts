@@ -1,4 +1,5 @@
 import { planners } from '../../algorithms/planners'
+import { isSameSize } from '../../grid/grid'
 import { type PathStyle, pathStyles, type StyledPath } from '../../render/path-styles'
 import type { State } from '../state/state'
 
@@ -10,11 +11,9 @@ export function styleOf(plannerId: string): PathStyle {
 
 /** The paths to be drawn; those of an earlier map only if it had this size. */
 export function comparedPaths({ comparison, setup }: State): readonly StyledPath[] {
-  const { width, height } = setup.problem.grid
   return comparison.entries
     .filter(({ plan, subject }) => {
-      const { grid } = subject.problem
-      const fits = grid.width === width && grid.height === height
+      const fits = isSameSize(subject.problem.grid, setup.problem.grid)
       return fits && plan.path.length > 1 && !comparison.hidden.includes(plan.plannerId)
     })
     .map(({ plan: { path, plannerId } }) => ({ path, style: styleOf(plannerId) }))

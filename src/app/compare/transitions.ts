@@ -1,6 +1,6 @@
 import { planners } from '../../algorithms/planners'
 import type { State } from '../state/state'
-import { cellsInWords } from '../words/words'
+import { cellsInWords } from '../words/numbers'
 import { type ComparedPlan, isSameSubject, type Subject } from './compared'
 import { type Comparison, type ComparisonEntry, noComparison } from './state'
 

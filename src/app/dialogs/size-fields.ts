@@ -1,5 +1,4 @@
-import type { Size } from '../../grid/generators'
-import { MAX_SIDE, MIN_SIDE } from '../../grid/grid'
+import { MAX_SIDE, MIN_SIDE, type Size } from '../../grid/grid'
 import { type NumberField, numberField } from '../panels/fields'
 
 export interface SizeFields {

@@ -1,6 +1,6 @@
 import type { Mark } from '../../charts/chart'
 import { chartsOf } from '../../charts/charts'
-import { chartThemes } from '../../charts/style'
+import { chartThemes, type ThemeName } from '../../charts/style'
 import type { Results } from '../../experiments/results'
 import { countInWords } from '../words/numbers'
 import { type ChartCard, chartCard } from './chart-card'
@@ -15,7 +15,7 @@ export class ChartsPanel {
   readonly #cards: readonly ChartCard[]
   readonly #container: HTMLElement
   readonly #sizes: ResizeObserver
-  #isDark = false
+  #theme: ThemeName = 'dark'
   #hidden: ReadonlySet<string> = new Set()
   #width = 0
 
@@ -30,9 +30,9 @@ export class ChartsPanel {
     this.#sizes.observe(container)
   }
 
-  show(isDark: boolean, hidden: ReadonlySet<string>): void {
-    if (isDark === this.#isDark && hidden === this.#hidden && this.#width > 0) return
-    this.#isDark = isDark
+  show(theme: ThemeName, hidden: ReadonlySet<string>): void {
+    if (theme === this.#theme && hidden === this.#hidden && this.#width > 0) return
+    this.#theme = theme
     this.#hidden = hidden
     this.#draw()
   }
@@ -45,7 +45,7 @@ export class ChartsPanel {
   #draw(): void {
     this.#width = Math.floor(this.#container.clientWidth)
     if (this.#width === 0) return
-    const theme = chartThemes[this.#isDark ? 'dark' : 'light']
+    const theme = chartThemes[this.#theme]
     const hidden = this.#hidden
     const drawing = { width: this.#width, theme, isShown: (name: string) => !hidden.has(name) }
     for (const card of this.#cards) card.draw(drawing)

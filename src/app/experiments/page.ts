@@ -2,6 +2,7 @@ import { saveSettings } from '../../experiments/settings-check'
 import { byId, setText } from '../element'
 import { download } from '../files/download'
 import { drawIcons } from '../icons'
+import { PageTheme } from '../page-theme'
 import { messages } from '../panels/messages'
 import { themeButton } from '../panels/theme-button'
 import { createStore } from '../state/store'
@@ -11,16 +12,15 @@ import { resultsPanel } from './results-panel'
 import { runCard } from './run-card'
 import { runningFor } from './running'
 import { settingsForm } from './settings-form'
-import { initialState, type PageState } from './state'
+import { initialState } from './state'
 
 /** Puts the page of the experiments together. */
 export function startExperiments(): void {
   const shelf = browserShelf()
   const store = createStore(initialState(loadPreferences(shelf)))
+  const showInNextFrame = onceInAFrame(() => show())
+  const theme = new PageTheme(showInNextFrame)
   drawIcons(document)
-  const lightness = window.matchMedia('(prefers-color-scheme: light)')
-  const isDark = ({ preferences: { theme } }: PageState) =>
-    theme === 'system' ? !lightness.matches : theme === 'dark'
 
   const files = bindFiles(store)
   const running = runningFor(store)
@@ -34,8 +34,11 @@ export function startExperiments(): void {
   })
   const showResults = resultsPanel(store)
   const showMessages = messages(store)
-  const showTheme = themeButton((theme) => {
-    store.update((state) => ({ ...state, preferences: { ...state.preferences, theme } }))
+  const showChoice = themeButton((choice) => {
+    store.update((state) => ({
+      ...state,
+      preferences: { ...state.preferences, theme: choice },
+    }))
     savePreferences(shelf, store.state.preferences)
   })
   byId('open', HTMLButtonElement).addEventListener('click', files.open)
@@ -49,26 +52,23 @@ export function startExperiments(): void {
 
   const show = () => {
     const { state } = store
-    document.documentElement.setAttribute('theme', isDark(state) ? 'dark' : 'light')
+    const choice = state.preferences.theme
+    theme.show(choice)
     form.show(state)
     showRun(state)
-    showResults(state, isDark(state))
+    showResults(state, theme.for(choice))
     showMessages(state)
-    showTheme(state.preferences.theme)
+    showChoice(choice)
     setText(live, state.said)
   }
-  inFrames(show, store.subscribe, lightness)
+  store.subscribe(showInNextFrame)
   show()
 }
 
-/** Shows what changed once in a frame, however often it changed. */
-function inFrames(
-  show: () => void,
-  subscribe: (listener: () => void) => void,
-  lightness: MediaQueryList,
-): void {
+/** What has `show` called in the next frame, and once, however often it is asked for. */
+function onceInAFrame(show: () => void): () => void {
   let isAsked = false
-  const ask = () => {
+  return () => {
     if (isAsked) return
     isAsked = true
     requestAnimationFrame(() => {
@@ -76,6 +76,4 @@ function inFrames(
       show()
     })
   }
-  subscribe(ask)
-  lightness.addEventListener('change', ask)
 }

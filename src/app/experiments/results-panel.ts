@@ -1,4 +1,5 @@
 import type { Mark } from '../../charts/chart'
+import type { ThemeName } from '../../charts/style'
 import { csvInParts } from '../../experiments/results-csv'
 import { jsonInParts } from '../../experiments/results-json'
 import { messageOf } from '../../grid/errors'
@@ -17,7 +18,9 @@ import { summarize } from './summary-table'
 import { toggleSeries } from './transitions'
 
 /** Binds the results; returns what shows a state in them. */
-export function resultsPanel(store: Store<PageState>): (state: PageState, isDark: boolean) => void {
+export function resultsPanel(
+  store: Store<PageState>,
+): (state: PageState, theme: ThemeName) => void {
   const panel = byId('results', HTMLElement)
   const about = byId('results-about', HTMLParagraphElement)
   const table = byId('summary', HTMLTableElement)
@@ -26,7 +29,7 @@ export function resultsPanel(store: Store<PageState>): (state: PageState, isDark
   bindDownloads(store)
   let seen: Shown | null = null
 
-  return (state, isDark) => {
+  return (state, theme) => {
     const { shown } = state
     panel.hidden = shown === null
     if (shown && shown !== seen) {
@@ -40,7 +43,7 @@ export function resultsPanel(store: Store<PageState>): (state: PageState, isDark
       )
     }
     seen = shown
-    charts(state, isDark)
+    charts(state, theme)
   }
 }
 
@@ -57,7 +60,7 @@ function lazyCharts(store: Store<PageState>, opened: (shown: Shown, mark: Mark) 
   let panel: { readonly shown: Shown; readonly charts: ChartsPanel } | null = null
   let asked: Shown | null = null
 
-  const load = async (shown: Shown, isDark: boolean) => {
+  const load = async (shown: Shown, theme: ThemeName) => {
     try {
       const { ChartsPanel } = await fetchedPart(import('./charts-panel'))
       if (store.state.shown !== shown) return
@@ -67,19 +70,19 @@ function lazyCharts(store: Store<PageState>, opened: (shown: Shown, mark: Mark) 
         toggled: (series) => store.update((state) => toggleSeries(state, series)),
       })
       panel = { shown, charts }
-      charts.show(isDark, store.state.hidden)
+      charts.show(theme, store.state.hidden)
     } catch (error) {
       store.update((state) =>
         tell(state, 'error', `The charts could not be drawn. ${messageOf(error)}`),
       )
     }
   }
-  return ({ shown, hidden }: PageState, isDark: boolean) => {
+  return ({ shown, hidden }: PageState, theme: ThemeName) => {
     if (!shown) return
     if (shown !== asked) {
       asked = shown
-      void load(shown, isDark)
-    } else if (panel?.shown === shown) panel.charts.show(isDark, hidden)
+      void load(shown, theme)
+    } else if (panel?.shown === shown) panel.charts.show(theme, hidden)
   }
 }
 

@@ -4,7 +4,7 @@ import type { ExperimentSettings } from '../../experiments/settings'
 import { GIVEN_MAPS, mapKinds } from '../../experiments/settings'
 import { generators } from '../../grid/generators'
 import type { Status } from '../../trace/events'
-import { cellsInWords } from '../words/words'
+import { cellsInWords } from '../words/numbers'
 
 const STATUS: Readonly<Record<Status, string>> = {
   reached: 'reached',

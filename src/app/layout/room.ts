@@ -1,4 +1,4 @@
-import type { Grid } from '../../grid/grid'
+import type { Size } from '../../grid/grid'
 import type { Rect, ScreenSize } from '../../render/view'
 
 const ascending = (values: readonly number[]): number[] =>
@@ -11,11 +11,7 @@ const WORTH = 0.88
  * The part of the screen that no card covers and in which the map gets largest, or nearly so: of
  * those the largest. The whole screen if the cards leave no room worth the name.
  */
-export function roomForMap(
-  screen: ScreenSize,
-  covered: readonly Rect[],
-  grid: Pick<Grid, 'width' | 'height'>,
-): Rect {
+export function roomForMap(screen: ScreenSize, covered: readonly Rect[], grid: Size): Rect {
   const rooms = emptyRooms(screen, covered)
   const scaleIn = (room: Rect) => Math.min(room.width / grid.width, room.height / grid.height)
   const enough = WORTH * Math.max(0, ...rooms.map(scaleIn))

@@ -18,11 +18,11 @@ export interface Field<Value> {
 }
 
 function labelled({ id, label, help }: Described, control: HTMLElement, ...more: HTMLElement[]) {
-  const helpLine = create('p', { class: 'help', id: `${id}-help` }, help)
-  control.setAttribute('aria-describedby', [helpLine, ...more].map((line) => line.id).join(' '))
-  const element = create('div', { class: 'field' }, create('label', { for: id }, label), control)
-  element.append(...more, ...(help ? [helpLine] : []))
-  return element
+  const helpLines = help ? [create('p', { class: 'help', id: `${id}-help` }, help)] : []
+  const described = [...helpLines, ...more].map((line) => line.id)
+  control.setAttribute('aria-describedby', described.join(' '))
+  const name = create('label', { for: id }, label)
+  return create('div', { class: 'field' }, name, control, ...more, ...helpLines)
 }
 
 export interface NumberFieldSettings extends Described, NumberRule {

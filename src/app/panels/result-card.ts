@@ -4,7 +4,8 @@ import type { Planning } from '../planning/planning'
 import { plannerOf } from '../state/setup'
 import type { State } from '../state/state'
 import { PATH_HIDDEN } from '../state/transitions'
-import { outcomeInWords, outcomeNumbers, type Row, reasonInWords, toneOf } from '../words/words'
+import type { NumberRow } from '../words/numbers'
+import { outcomeInWords, outcomeNumbers, reasonInWords, toneOf } from '../words/outcome-in-words'
 import { showProgress } from './progress'
 import { showRows } from './rows'
 
@@ -12,10 +13,10 @@ interface Report {
   readonly tone: IconName
   readonly words: string
   readonly detail: string
-  readonly rows: readonly Row[]
+  readonly rows: readonly NumberRow[]
 }
 
-const NO_ROWS: readonly Row[] = []
+const NO_ROWS: readonly NumberRow[] = []
 
 /** What the result card says of a state. */
 export function reportOf({ run, shown, clearPath, setup }: State): Report {

@@ -1,8 +1,8 @@
 import { create, setText } from '../element'
-import type { Row } from '../words/words'
+import type { NumberRow } from '../words/numbers'
 
-/** Shows labelled values in a table; it is hidden if there are none. */
-export function showRows(table: HTMLTableElement, rows: readonly Row[]): void {
+/** Shows numbers in a table; it is hidden if there are none. */
+export function showRows(table: HTMLTableElement, rows: readonly NumberRow[]): void {
   table.hidden = rows.length === 0
   const body = table.tBodies[0]
   rows.forEach(({ label, value }, i) => {

@@ -1,5 +1,5 @@
 import type { Outcome } from '../../algorithms/plan'
-import type { Cell } from '../../grid/grid'
+import { type Cell, isSameSize } from '../../grid/grid'
 import type { Rect, ScreenSize, View } from '../../render/view'
 import type { Frame } from '../../trace/frame'
 import type { Tape } from '../../trace/tape'
@@ -27,7 +27,7 @@ export interface Shown {
 }
 
 /** What the worker is doing for the setup on screen. */
-export type Run =
+type Run =
   | { readonly kind: 'settled' }
   /** `slow` once it lasts so long that the user should know; `done` from 0 to 1. */
   | { readonly kind: 'running'; readonly slow: boolean; readonly done: number }
@@ -117,8 +117,7 @@ export function visiblePlan({ shown, run, clearPath, setup }: State): Shown | nu
   if (!shown || clearPath === 'done') return null
   if (run.kind === 'cancelled' || run.kind === 'failed') return null
   if (run.kind === 'running' && run.slow) return null
-  const { grid } = setup.problem
-  return shown.tape.width === grid.width && shown.tape.height === grid.height ? shown : null
+  return isSameSize(shown.tape, setup.problem.grid) ? shown : null
 }
 
 /** The cell that is asked about, with the mouse or the keyboard; -1 if none. */

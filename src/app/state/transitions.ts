@@ -1,5 +1,5 @@
 import { messageOf } from '../../grid/errors'
-import { type Cell, emptyGrid } from '../../grid/grid'
+import { type Cell, emptyGrid, isSameSize } from '../../grid/grid'
 import { fitView, keepOnScreen, type Rect, type ScreenSize, type View } from '../../render/view'
 import { roomForMap } from '../layout/room'
 import { cursorOn, endWelcome } from '../playback/arrival'
@@ -15,10 +15,9 @@ import { type Shown, type State, THE_END } from './state'
 /** Shows an edit that may still go on, as during a stroke. */
 export function edit(state: State, setup: Setup): State {
   if (setup === state.setup) return state
-  const { width, height } = state.setup.problem.grid
   const { grid, start } = setup.problem
   const edited = { ...endWelcome(state), setup, clearPath: 'no' as const }
-  if (grid.width === width && grid.height === height) return edited
+  if (isSameSize(grid, state.setup.problem.grid)) return edited
   return fitToRoom({ ...edited, cursor: start, cursorShown: false, hovered: -1 })
 }
 

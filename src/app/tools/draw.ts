@@ -31,16 +31,16 @@ export function drawTool(store: Store<State>, first: Cell): Tool {
   }
   paintThrough([here])
 
+  const paintedInWords = () =>
+    count === 1
+      ? `${cellName(grid.width, latest)} is now ${obstacle ? 'an obstacle' : 'free'}.`
+      : `${count} cells are now ${obstacle ? 'obstacles' : 'free'}.`
+
   return {
     move(places) {
       paintThrough(places.map((place) => placeOnMap(store.state.view, place)))
     },
-    end: () => store.update((state) => commit(state, paintedInWords(grid.width))),
+    end: () => store.update((state) => commit(state, paintedInWords())),
     cancel: () => store.update(cancel),
-  }
-
-  function paintedInWords(width: number): string {
-    if (count !== 1) return `${count} cells are now ${obstacle ? 'obstacles' : 'free'}.`
-    return `${cellName(width, latest)} is now ${obstacle ? 'an obstacle' : 'free'}.`
   }
 }

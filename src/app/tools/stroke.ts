@@ -35,7 +35,7 @@ function cellsToPaint(problem: Problem, cells: readonly Cell[], obstacle: boolea
   )
 }
 
-/** The map with obstacles drawn or erased, and how many cells that changed. */
+/** The map with obstacles drawn or erased, and the cells that this changed. */
 export function paint(
   problem: Problem,
   cells: readonly Cell[],

@@ -1,8 +1,8 @@
 import type { Moment } from '../playback/moment'
 import { isSettled, type Said, type State } from '../state/state'
 import { cellFactsInWords } from './cell-line'
+import { outcomeInWords } from './outcome-in-words'
 import { stepInWords } from './steps-in-words'
-import { outcomeInWords } from './words'
 
 /**
  * What is to be said now, after `said` has been said: `null` if nothing new, or if it waits for the

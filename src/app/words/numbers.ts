@@ -19,3 +19,19 @@ const inThousands = (digits: string): string => digits.replace(/\B(?=(\d{3})+(\.
 /** "1 step", "2 steps". */
 export const countInWords = (count: number, what: string): string =>
   `${numberInWords(count)} ${plural(count, what)}`
+
+export const cellsInWords = (count: number): string => countInWords(count, 'cell')
+
+/** Two digits that count; below the clock's resolution it says so. */
+export function timeInWords(milliseconds: number): string {
+  if (milliseconds < 0.1) return 'less than 0.1 ms'
+  if (milliseconds < 9.95) return `${milliseconds.toFixed(1)} ms`
+  if (milliseconds < 999.5) return `${Math.round(milliseconds)} ms`
+  return `${(milliseconds / 1000).toFixed(1)} s`
+}
+
+/** A number as a table shows it, in words, with what it is called. */
+export interface NumberRow {
+  readonly label: string
+  readonly value: string
+}

@@ -1,9 +1,8 @@
 import { cellName } from '../../grid/grid'
 import type { Moment } from '../playback/moment'
 import { plannerOf } from '../state/setup'
-import { countInWords, numberInWords } from './numbers'
+import { countInWords, type NumberRow, numberInWords } from './numbers'
 import { capitalised } from './sentences'
-import type { Row } from './words'
 
 const YET_UNKNOWN = '–'
 
@@ -11,11 +10,11 @@ const YET_UNKNOWN = '–'
  * The planner's numbers at this moment. Which rows there are depends on the whole plan, so that
  * they stay in their places while one steps through it.
  */
-export function stepNumbers({ shown, frame }: Moment): Row[] {
+export function stepNumbers({ shown, frame }: Moment): NumberRow[] {
   const { tape, last, setup } = shown
   const { phases, variables, family } = plannerOf(setup)
   const isThinned = tape.thinning !== 'whole'
-  const rows: Row[] = []
+  const rows: NumberRow[] = []
   const row = (label: string, value: string) => rows.push({ label, value })
 
   if (phases.length > 0) row('Phase', phases[frame.phase] ?? YET_UNKNOWN)

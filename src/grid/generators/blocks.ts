@@ -1,6 +1,7 @@
+import type { Size } from '../grid'
 import { randomInteger } from '../random'
 import { withEndsMadeFree } from './ends-made-free'
-import { generator, type Size } from './generator'
+import { generator } from './generator'
 
 export const blocks = generator({
   id: 'blocks',

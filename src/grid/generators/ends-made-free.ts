@@ -1,4 +1,5 @@
-import type { GeneratedMap, Size } from './generator'
+import type { Size } from '../grid'
+import type { GeneratedMap } from './generator'
 
 /** A map with the start near its left side and the goal near its right one, both made free. */
 export function withEndsMadeFree({ width, height }: Size, walls: Uint8Array): GeneratedMap {

@@ -1,5 +1,5 @@
 import { InputError } from '../errors'
-import type { Cell } from '../grid'
+import type { Cell, Size } from '../grid'
 import { checkSize, type Problem } from '../problem'
 import { randomNumbers } from '../random'
 import type { DiagonalRule } from '../steps'
@@ -16,12 +16,6 @@ export interface GeneratorParam {
   readonly unit: string
   /** One line of explanation. */
   readonly help: string
-}
-
-/** The side lengths of a map in cells. */
-export interface Size {
-  readonly width: number
-  readonly height: number
 }
 
 export interface Generator {

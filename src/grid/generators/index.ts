@@ -4,7 +4,7 @@ import { maze } from './maze'
 import { random } from './random'
 import { rooms } from './rooms'
 
-export type { Generator, GeneratorParam, Size } from './generator'
+export type { Generator, GeneratorParam } from './generator'
 
 /** All map generators. */
 export const generators: readonly Generator[] = [random, blocks, rooms, maze]

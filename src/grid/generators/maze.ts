@@ -1,6 +1,6 @@
-import type { Cell } from '../grid'
+import type { Cell, Size } from '../grid'
 import { randomInteger } from '../random'
-import { generator, type Size } from './generator'
+import { generator } from './generator'
 
 export const maze = generator({
   id: 'maze',

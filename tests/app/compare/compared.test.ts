@@ -4,6 +4,7 @@ import { planners } from '../../../src/algorithms/planners'
 import { COLUMNS, medianInWords, sortEntries } from '../../../src/app/compare/columns'
 import { comparedPaths, styleOf } from '../../../src/app/compare/paths'
 import {
+  comparisonFailed,
   comparisonInWords,
   comparisonReady,
   planCompared,
@@ -34,6 +35,8 @@ describe('a compared plan', () => {
     const { status, measure, sensed, path } = plan(setup.problem, 'tangent-bug', { params })
     expect(told).toMatchObject({ status, ...measure, effort: sensed, walked: path.length - 1 })
     expect([...told.path]).toEqual([...path])
+    expect(told.milliseconds).toBeGreaterThanOrEqual(0)
+    expect(told.milliseconds).toBeLessThan(performance.now())
     const usual = entryOf('tangent-bug').plan
     expect(told.effort).not.toBe(usual.effort)
   })
@@ -94,6 +97,21 @@ describe('the table', () => {
   it('is sorted by names', () => {
     expect(sorted('Planner', false)[0].plannerId).toBe('bug1')
     expect(sorted('Planner', true)[0].plannerId).toBe('visibility-graph')
+  })
+
+  it('says whether its effort was expanded or sensed, if there was any', () => {
+    const [search, bug] = [entryOf('decomposition'), entryOf('bug1')]
+    expect(textOf('Effort', search)).toBe(`${search.plan.effort} exp.`)
+    expect(textOf('Effort', bug)).toBe(`${bug.plan.effort} sensed`)
+    expect(textOf('Effort', entryOf('potential-field'))).toBe('–')
+  })
+
+  it('has a time when it was taken, a sign that it will be, or none for what cannot be run', () => {
+    const entry = entryOf('bug1')
+    expect(textOf('Time', entry)).toBe('…')
+    expect(textOf('Time', { ...entry, milliseconds: 0.25 })).toBe('250 µs')
+    const wrong = withSettings(walled, 'probabilistic-roadmap', { samples: -3 })
+    expect(textOf('Time', entryOf('probabilistic-roadmap', wrong))).toBe('–')
   })
 
   it('tells times below a millisecond in microseconds', () => {
@@ -159,6 +177,18 @@ describe('the comparison in the state', () => {
     )
     expect(comparisonReady(full, walled).said.text).toBe(words)
     expect(comparisonReady(full, { ...walled, seed: 2 })).toBe(full)
+  })
+
+  it('says why there is none, if it is the map on screen that was not compared', () => {
+    const failed = comparisonFailed(full, walled, 'out of memory')
+    expect(failed.comparison).toMatchObject({
+      entries: [],
+      fault: 'Nothing was compared: out of memory.',
+    })
+    expect(comparisonFailed(full, { ...walled, seed: 2 }, 'old')).toBe(full)
+    const ended = toggleComparison(full)
+    expect(comparisonFailed(ended, walled, 'late')).toBe(ended)
+    expect(planCompared(failed, walled, entryOf('bug1').plan).comparison.fault).toBe('')
   })
 
   it('ends, and takes nothing that comes late', () => {

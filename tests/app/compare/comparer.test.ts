@@ -1,23 +1,11 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
-import { Comparer, type CompareWorker, PATIENCE_MS } from '../../../src/app/compare/comparer'
+import { Comparer, PATIENCE_MS } from '../../../src/app/compare/comparer'
 import type { CompareAnswer, CompareQuestion } from '../../../src/app/compare/protocol'
+import { FakeWorker } from '../fake-worker'
 import { entriesOf, walled } from './setups'
 
-class FakeWorker implements CompareWorker {
-  onmessage: CompareWorker['onmessage'] = null
-  onerror: CompareWorker['onerror'] = null
-  readonly questions: CompareQuestion[] = []
-  isTerminated = false
-
-  postMessage(question: CompareQuestion): void {
-    this.questions.push(question)
-  }
-  terminate(): void {
-    this.isTerminated = true
-  }
-  say(answer: CompareAnswer): void {
-    this.onmessage?.({ data: answer })
-  }
+class ComparingWorker extends FakeWorker<CompareQuestion, CompareAnswer> {
+  /** Of the latest question. */
   get id(): number {
     return this.questions[this.questions.length - 1].id
   }
@@ -25,7 +13,7 @@ class FakeWorker implements CompareWorker {
 
 const [{ plan }] = entriesOf()
 const subject = (seed: number) => ({ ...walled, seed })
-let workers: FakeWorker[]
+let workers: ComparingWorker[]
 let log: string[]
 let comparer: Comparer
 
@@ -37,7 +25,7 @@ beforeEach(() => {
   workers = []
   log = []
   const makeWorker = () => {
-    workers.push(new FakeWorker())
+    workers.push(new ComparingWorker())
     return worker()
   }
   comparer = new Comparer(makeWorker, {

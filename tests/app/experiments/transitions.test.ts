@@ -59,7 +59,7 @@ describe('the state of the page', () => {
   it('keeps the first maps of a run that was cancelled', () => {
     const running = runStarted(state, countWork(settings).maps)
     const perMap = countWork(settings).settings
-    const ended = runEnded(running, { ...results, rows: rows.slice(0, 5 * perMap) })
+    const ended = runEnded(running, { ...results, rows: rows.slice(0, 5 * perMap + 1) })
     expect(ended.run.kind).toBe('idle')
     expect(ended.shown).toMatchObject({ maps: 5, total: countWork(settings).maps })
   })

@@ -2,11 +2,12 @@ import fc from 'fast-check'
 import { describe, expect, it } from 'vitest'
 import { presets } from '../../../src/app/experiments/presets'
 import type { Order, Report } from '../../../src/app/experiments/protocol'
-import { type PoolWorker, WorkerPool } from '../../../src/app/experiments/worker-pool'
+import { WorkerPool } from '../../../src/app/experiments/worker-pool'
 import type { Row } from '../../../src/experiments/row'
 import { runMap } from '../../../src/experiments/run-map'
 import { countWork, type ExperimentSettings } from '../../../src/experiments/settings'
 import { timeless } from '../../experiments/settings'
+import { FakeWorker } from '../fake-worker'
 
 const settings: ExperimentSettings = {
   ...presets[0].settings,
@@ -21,24 +22,13 @@ const settings: ExperimentSettings = {
 const MAPS = countWork(settings).maps
 
 /** A worker that answers when it is told to. */
-class SlowWorker implements PoolWorker {
-  onmessage: PoolWorker['onmessage'] = null
-  onerror: PoolWorker['onerror'] = null
-  readonly waiting: Order[] = []
-  isEnded = false
-
-  postMessage(order: Order): void {
-    this.waiting.push(order)
-  }
-  terminate(): void {
-    this.isEnded = true
-  }
+class SlowWorker extends FakeWorker<Order, Report> {
   /** Answers the oldest order; whether there was one. */
   work(report: (order: Order) => Report | null = answer): boolean {
-    const order = this.waiting.shift()
-    if (!order || this.isEnded) return false
+    const order = this.questions.shift()
+    if (!order || this.isTerminated) return false
     const made = report(order)
-    if (made) this.onmessage?.({ data: made })
+    if (made) this.say(made)
     return true
   }
 }
@@ -91,7 +81,7 @@ describe('a pool of workers', () => {
         }
         expect(timeless(pool.rows)).toEqual(expected)
         expect(told.at(-2)).toBe(MAPS)
-        expect(workers.every(({ isEnded }) => isEnded)).toBe(true)
+        expect(workers.every(({ isTerminated }) => isTerminated)).toBe(true)
       }),
       { numRuns: 30 },
     )
@@ -105,10 +95,10 @@ describe('a pool of workers', () => {
     while (late.work());
     pool.stop()
     // The fourth worker was given map 3 first, and nothing from there on counts.
-    expect(never.waiting).toContainEqual({ kind: 'maps', range: { first: 3, end: 4 } })
+    expect(never.questions).toContainEqual({ kind: 'maps', range: { first: 3, end: 4 } })
     expect(timeless(pool.rows)).toEqual(expected.filter(({ map }) => map < 3))
     expect(told).toEqual([3])
-    expect(workers.every(({ isEnded }) => isEnded)).toBe(true)
+    expect(workers.every(({ isTerminated }) => isTerminated)).toBe(true)
   })
 
   describe('with thousands of maps', () => {
@@ -169,7 +159,7 @@ describe('a pool of workers', () => {
     expect(told.at(-1)).toBe('Map 1: broken')
     expect(pool.rows).toHaveLength(before)
     expect(before).toBeGreaterThan(0)
-    expect(workers.every(({ isEnded }) => isEnded)).toBe(true)
+    expect(workers.every(({ isTerminated }) => isTerminated)).toBe(true)
   })
 
   it('says so when a worker cannot be started', () => {
@@ -178,6 +168,6 @@ describe('a pool of workers', () => {
     workers[1].onerror?.({ preventDefault: () => (isPrevented = true) })
     expect(told).toEqual(['a worker could not be started'])
     expect(isPrevented).toBe(true)
-    expect(workers.every(({ isEnded }) => isEnded)).toBe(true)
+    expect(workers.every(({ isTerminated }) => isTerminated)).toBe(true)
   })
 })

@@ -1,21 +1,11 @@
 import { beforeEach, describe, expect, it } from 'vitest'
-import { PATIENCE_MS, type PlanningWorker, Solver } from '../../../src/app/planning/solver'
+import { PATIENCE_MS, Solver } from '../../../src/app/planning/solver'
 import type { WorkerAnswer, WorkerQuestion } from '../../../src/app/planning/worker-protocol'
 import { timelineOf } from '../../../src/app/playback/timeline'
+import { FakeWorker } from '../fake-worker'
 import { planned, setupFrom } from '../setups'
 
-class FakeWorker implements PlanningWorker {
-  onmessage: PlanningWorker['onmessage'] = null
-  onerror: PlanningWorker['onerror'] = null
-  readonly questions: WorkerQuestion[] = []
-  isTerminated = false
-
-  postMessage(question: WorkerQuestion): void {
-    this.questions.push(question)
-  }
-  terminate(): void {
-    this.isTerminated = true
-  }
+class PlanningWorker extends FakeWorker<WorkerQuestion, WorkerAnswer> {
   /** Answers the latest question. */
   finish(): void {
     const { id } = this.questions[this.questions.length - 1]
@@ -33,15 +23,12 @@ class FakeWorker implements PlanningWorker {
       milliseconds,
     })
   }
-  say(answer: WorkerAnswer): void {
-    this.onmessage?.({ data: answer })
-  }
 }
 
 const base = setupFrom('S.\n.G')
 const request = (seed: number) => ({ setup: { ...base, seed }, instant: true })
 
-let workers: FakeWorker[]
+let workers: PlanningWorker[]
 let now: number
 let log: string[]
 let solver: Solver
@@ -55,7 +42,7 @@ beforeEach(() => {
   now = 1000
   log = []
   const makeWorker = () => {
-    const made = new FakeWorker()
+    const made = new PlanningWorker()
     workers.push(made)
     return made
   }

@@ -4,9 +4,11 @@ import { tempoOf } from '../../../src/app/playback/speeds'
 import { stepAt, timelineOf } from '../../../src/app/playback/timeline'
 import {
   chooseSpeed,
+  jumpToStep,
   played,
   stepBack,
   stepForward,
+  stepNumber,
   toFirst,
   togglePlay,
   toLandmarkBefore,
@@ -16,7 +18,9 @@ import {
 } from '../../../src/app/playback/transport'
 import { type State, THE_END } from '../../../src/app/state/state'
 import { hidePath } from '../../../src/app/state/transitions'
+import { EVENT } from '../../../src/trace/events'
 import { frameAt } from '../../../src/trace/fold'
+import { Tape } from '../../../src/trace/tape'
 import { HOOK, shownState } from '../setups'
 
 const begin = shownState(HOOK)
@@ -64,6 +68,20 @@ describe('the cursor on the tape', () => {
     expect(toStep(begin, 1e6).time).toBe(THE_END)
     expect(toStep(begin, -1).time).toBe(0)
     expect(stepAt(timeline, steps[3])).toBe(3)
+    expect(toStep(hidePath(begin), 3).time).toBe(THE_END)
+  })
+
+  it('is told as the number of a step', () => {
+    const last = steps.length - 1
+    const numbers = [toStep(begin, 0), jumpToStep(begin, 3), begin].map(
+      (state) => stepNumber(state, begin.shown).step,
+    )
+    expect(numbers).toEqual([0, 3, last])
+    expect(stepNumber(begin, begin.shown).steps).toBe(last)
+    // In the middle of a step it is that one.
+    const inside = steps.findIndex((time, i) => i > 0 && time - steps[i - 1] > 1)
+    const time = steps[inside] - 1
+    expect(stepNumber({ ...begin, time }, begin.shown).step).toBe(inside)
   })
 
   it('has nowhere to go without a plan', () => {
@@ -84,6 +102,22 @@ describe('the cursor on the tape', () => {
     expect(moments.of(begin)?.frame).toBe(begin.shown.last)
     expect(moments.of(hidePath(begin))).toBeNull()
   })
+
+  it('looks for its frame as long as there is time', () => {
+    const moments = new Moments()
+    const isTimeUp = () => true
+    expect(moments.seek(toStep(begin, 9), isTimeUp)).toBe(true)
+    for (const state of [begin, hidePath(begin)]) expect(moments.seek(state, isTimeUp)).toBe(true)
+    const long = new Tape()
+    long.begin(7, 5)
+    for (let i = 0; i < 200_000; i++) long.write(EVENT.step, i % 35)
+    const shown = { ...begin.shown, tape: long, last: frameAt(long, long.length) }
+    const late = { ...begin, shown, time: 190_000 }
+    let tries = 1
+    while (!moments.seek(late, isTimeUp)) tries++
+    expect(tries).toBeGreaterThan(1)
+    expect(moments.of(late)?.frame.trail.length).toBe(190_000)
+  })
 })
 
 describe('playing', () => {
@@ -103,6 +137,14 @@ describe('playing', () => {
     for (const time of [tape.length, THE_END]) {
       expect(played(playing, time)).toMatchObject({ time: THE_END, playing: null })
     }
+  })
+
+  it('does nothing unless it goes on', () => {
+    expect(played(begin, 7)).toBe(begin)
+    const hidden = hidePath(togglePlay(begin))
+    expect(played(hidden, 7)).toBe(hidden)
+    const playing = togglePlay(begin)
+    expect(played(playing, playing.time)).toBe(playing)
   })
 
   it('stops when the cursor is moved by hand', () => {

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import { emptyProblem, resizedProblem } from '../../../src/app/state/new-problem'
+import { pointOf } from '../../../src/grid/grid'
 import { checkProblem } from '../../../src/grid/problem'
 import { problemFromText, problemToText } from '../../../src/grid/text-map'
 
@@ -11,12 +12,19 @@ describe('new maps', () => {
     [2, 2048],
     [3, 7],
     [60, 40],
-  ])('of %d × %d cells are empty, with start and goal apart', (width, height) => {
-    const problem = emptyProblem(width, height, RULE)
-    checkProblem(problem)
-    expect(problem.grid.walls.includes(1)).toBe(false)
-    expect(problem.start).not.toBe(problem.goal)
-  })
+  ])(
+    'of %d × %d cells are empty, with the start at the left and the goal at the right',
+    (width, height) => {
+      const problem = emptyProblem(width, height, RULE)
+      checkProblem(problem)
+      expect(problem.grid.walls.includes(1)).toBe(false)
+      const [start, goal] = [problem.start, problem.goal].map((cell) => pointOf(width, cell))
+      expect(start.x).toBeLessThan(goal.x)
+      expect(start.x + goal.x).toBe(width - 1)
+      const middle = Math.floor((height - 1) / 2)
+      expect([start.y, goal.y]).toEqual([middle, middle])
+    },
+  )
 
   it('that are too small or too large are refused in words', () => {
     expect(() => emptyProblem(1, 5, RULE)).toThrow("The map's width is 1")
@@ -33,6 +41,9 @@ describe('new maps', () => {
     const cut = resizedProblem(drawn, 3, 2)
     checkProblem(cut)
     expect([cut.start, cut.goal]).toEqual([1, 5])
+    // From the edge, not from where it was: of the cells around (1, 1) the first, above it.
+    const below = resizedProblem(problemFromText('S..\n.#.\n.G.'), 3, 2)
+    expect(below.goal).toBe(1)
   })
 
   it('without a free cell are refused in words', () => {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { dismiss, tell } from '../../../src/app/state/messages'
 import { withMark } from '../../../src/app/state/setup'
-import { isSettled, type State, visiblePlan } from '../../../src/app/state/state'
+import { cellAskedAbout, isSettled, type State, visiblePlan } from '../../../src/app/state/state'
 import {
   attempt,
   cancel,
@@ -9,8 +9,10 @@ import {
   changeMap,
   clearObstacles,
   commit,
+  crowd,
   edit,
   hidePath,
+  hover,
   layOut,
   look,
   planArrived,
@@ -18,6 +20,7 @@ import {
   planFailed,
   planIsSlow,
   planStarted,
+  prefer,
   redo,
   undo,
 } from '../../../src/app/state/transitions'
@@ -188,6 +191,22 @@ describe('a plan', () => {
     const edited = change(shownAgain, moved(shownAgain, 9), 'Moved.')
     expect(redo(edited).clearPath).toBe('no')
   })
+})
+
+it('what stays as it was makes no new state: nothing would be drawn anew but in vain', () => {
+  expect(hover(begin, begin.hovered)).toBe(begin)
+  expect(crowd(begin, begin.crowded)).toBe(begin)
+  expect(prefer(begin, { ...begin.preferences })).toBe(begin)
+  expect(hover(begin, 3).hovered).toBe(3)
+  expect(crowd(begin, true).crowded).toBe(true)
+  expect(prefer(begin, { hint: false }).preferences.hint).toBe(false)
+})
+
+it('the cell that is asked about is that under the mouse, else that of the cursor', () => {
+  const asked = (hovered: number, cursorShown: boolean) =>
+    cellAskedAbout({ ...begin, hovered, cursorShown, cursor: 5 })
+  expect([asked(3, false), asked(3, true), asked(0, true)]).toEqual([3, 3, 0])
+  expect([asked(-1, false), asked(-1, true)]).toEqual([-1, 5])
 })
 
 describe('messages', () => {

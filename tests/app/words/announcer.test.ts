@@ -57,6 +57,8 @@ it('the same words are said again if they are meant again, as others or not at a
 it('what has no plan is said at once', () => {
   expect(announcement(say(running, '(1, 0), free'), null, running.said)).toBe('(1, 0), free')
   expect(announcement(begin, null, null)).toBeNull()
+  const wordless = { ...settled, said: { ...settled.said, text: '' } }
+  expect(announcement(wordless, null, null)).toBeNull()
 })
 
 it('a plan that was cancelled or refused is said to be', () => {

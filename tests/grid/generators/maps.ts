@@ -1,6 +1,7 @@
 import fc from 'fast-check'
 import { generators } from '../../../src/grid/generators'
-import type { Generator, Size } from '../../../src/grid/generators/generator'
+import type { Generator } from '../../../src/grid/generators/generator'
+import type { Size } from '../../../src/grid/grid'
 import type { Problem } from '../../../src/index'
 
 export const sizes = fc.record({

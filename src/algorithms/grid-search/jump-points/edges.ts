@@ -1,5 +1,5 @@
 import type { Direction } from '../../../grid/directions'
-import { larger } from '../larger'
+import { larger } from '../../../grid/larger'
 
 const ROOM = 1 << 10
 

@@ -1,7 +1,7 @@
 import type { Direction } from '../../../grid/directions'
 import type { Cell } from '../../../grid/grid'
+import { larger } from '../../../grid/larger'
 import type { Directions } from '../../../grid/steps'
-import { larger } from '../larger'
 
 const ROOM = 1 << 10
 

@@ -1,7 +1,7 @@
 import type { Outcome } from '../../algorithms/plan'
 import { cellName } from '../../grid/grid'
 import type { Status } from '../../trace/events'
-import { countInWords, lengthInWords, numberInWords } from './numbers'
+import { cellsInWords, lengthInWords, type NumberRow, numberInWords, timeInWords } from './numbers'
 import { asSentence } from './sentences'
 
 /** How good the news is: it gets its own colour and icon. */
@@ -9,8 +9,6 @@ export type Tone = 'good' | 'proof' | 'bad'
 
 export const toneOf = (status: Status): Tone =>
   status === 'reached' ? 'good' : status === 'unreachable' ? 'proof' : 'bad'
-
-export const cellsInWords = (count: number): string => countInWords(count, 'cell')
 
 /**
  * What came out, in one line.
@@ -41,25 +39,12 @@ export function reasonInWords({ status, reason }: Outcome): string {
   return asSentence(reason)
 }
 
-/** Two digits that count; below the clock's resolution it says so. */
-export function timeInWords(milliseconds: number): string {
-  if (milliseconds < 0.1) return 'less than 0.1 ms'
-  if (milliseconds < 9.95) return `${milliseconds.toFixed(1)} ms`
-  if (milliseconds < 999.5) return `${Math.round(milliseconds)} ms`
-  return `${(milliseconds / 1000).toFixed(1)} s`
-}
-
-export interface Row {
-  readonly label: string
-  readonly value: string
-}
-
 /** The numbers that belong to an outcome. */
 export function outcomeNumbers(
   { status, path, measure, expanded, sensed }: Outcome,
   milliseconds: number,
   family: 'offline' | 'online',
-): Row[] {
+): NumberRow[] {
   const walked = status === 'reached' ? 'Path' : 'Walked so far'
   const rows = [{ label: 'Time to plan', value: timeInWords(milliseconds) }]
   if (path.length > 0) {

@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest'
 import type { Outcome } from '../../../src/algorithms/plan'
+import { timeInWords } from '../../../src/app/words/numbers'
 import {
   outcomeInWords,
   outcomeNumbers,
   reasonInWords,
-  timeInWords,
   toneOf,
-} from '../../../src/app/words/words'
+} from '../../../src/app/words/outcome-in-words'
 
 const WIDTH = 10
 
@@ -84,6 +84,8 @@ describe('the numbers of an outcome', () => {
   it('say nothing of a path that is not there', () => {
     const none = outcome({ status: 'unreachable', path: new Int32Array(0), expanded: 5 })
     expect(Object.keys(valuesOf(none, 1, 'offline'))).toEqual(['Time to plan', 'Expanded'])
+    const still = outcome({ expanded: 0 })
+    expect(Object.keys(valuesOf(still, 1, 'offline'))).not.toContain('Expanded')
   })
 
   it.each([
