@@ -79,7 +79,7 @@ const FAULTS: [object, string][] = [
   [{ families: [{ family: 'maze', maps: [SMALL.families[3].maps[0]] }] }, 'families[0].maps: only'],
   [{ families: [{ family: 'maps' }] }, 'families[0].maps: is missing'],
   [{ families: [SMALL.families[3], SMALL.families[3]] }, 'families[1]: a second family "maps"'],
-  [maps({ name: 'x', rows: ['..', '.'] }), 'families[0].maps[0].rows: Row 2 has 1 cell, but row 1 has 2.'],
+  [maps({ name: 'x', rows: ['..', '.'] }), 'families[0].maps[0].rows: Row 2 has 1 cell'],
   [maps({ name: 'x', rows: ['..', '.x'] }), 'families[0].maps[0].rows: "x" at (1, 1) is no cell'],
   [maps({ name: 'x', rows: ['##', '#.'] }), 'families[0].maps[0].rows: must have a free cell for'],
   [maps({ name: 'x' }), 'families[0].maps[0].rows: is missing'],
