@@ -1,8 +1,7 @@
 import type { Page } from '@playwright/test'
-import { expectAccessible } from '../accessibility'
 import { expect, test } from '../fixtures'
 import { hiddenParts } from '../hidden-parts'
-import { drawn, expectStep, openScenario, press, reasons, scrubber, stepsInAll } from '../steps'
+import { drawn, expectStep, openScenario, press, scrubber, stepsInAll } from '../steps'
 
 const SCENARIOS = [
   'Fig. 5: Around two obstacles',
@@ -44,20 +43,6 @@ test('whatever card is open, the map moves out of its way', async ({ map, page }
   }
   await fold(page, FOLDS[0]).click()
   await expect.poll(() => hiddenParts(page, map)).toEqual([])
-})
-
-test('axe finds nothing in the steps, whichever card is open', async ({ page }) => {
-  await openScenario(page, 'Fig. 12: The spiral, Bug2')
-  await press(page, 'ArrowLeft')
-  await page.getByRole('application').focus()
-  await press(page, 'ArrowDown', 2)
-  for (const card of FOLDS) {
-    const isOpen = (await fold(page, card).getAttribute('aria-expanded')) === 'true'
-    if (!isOpen) await fold(page, card).click()
-    if (!isOpen || card === 'card of steps') await expectAccessible(page)
-  }
-  await expect(reasons(page).getByRole('button', { name: /: step \d+/ })).toBeVisible()
-  await expect(page.getByRole('list', { name: 'Pseudocode' })).toBeVisible()
 })
 
 test('the map is as large when its plan comes late', async ({ map, page }) => {
