@@ -9,7 +9,10 @@ const executablePath = findBrowser()
 const desktop = { viewport: { width: 1280, height: 800 } }
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }
 
-/** What must hold everywhere runs on both devices in both themes, the rest on its device. */
+/**
+ * What must hold everywhere runs on both devices in both themes, what has nothing to do with colours on
+ * both devices once, the rest on its device.
+ */
 function project(name: string, folders: string[], use: Partial<PlaywrightTestOptions>) {
   return { name, testMatch: folders.map((folder) => `${folder}/*.spec.ts`), use }
 }
@@ -42,10 +45,13 @@ export default defineConfig({
     },
   },
   projects: [
-    project('desktop dark', ['everywhere', 'desktop'], { ...desktop, colorScheme: 'dark' }),
+    project('desktop dark', ['everywhere', 'either-theme', 'desktop'], {
+      ...desktop,
+      colorScheme: 'dark',
+    }),
     project('desktop light', ['everywhere'], { ...desktop, colorScheme: 'light' }),
     project('phone dark', ['everywhere', 'phone'], { ...phone, colorScheme: 'dark' }),
-    project('phone light', ['everywhere'], { ...phone, colorScheme: 'light' }),
+    project('phone light', ['everywhere', 'either-theme'], { ...phone, colorScheme: 'light' }),
   ],
   // Takes the next free port, so that two runs on one machine do not meet.
   webServer: {

@@ -50,21 +50,52 @@ export async function drawnRows(page: Page): Promise<string[]> {
   return rows
 }
 
-/** Lets go of a file over the map. */
-export async function dropFile(page: Page, name: string, text: string): Promise<void> {
+/** Lets go of a file over the map, and of others with it. */
+export async function dropFile(
+  page: Page,
+  name: string,
+  text: string,
+  others: string[] = [],
+): Promise<void> {
   const dataTransfer = await page.evaluateHandle(
-    ([fileName, content]) => {
+    ([names, content]) => {
       const transfer = new DataTransfer()
-      transfer.items.add(new File([content], fileName))
+      for (const fileName of names) transfer.items.add(new File([content], fileName))
       return transfer
     },
-    [name, text] as const,
+    [[name, ...others], text] as const,
   )
   const map = page.getByRole('application')
   await map.dispatchEvent('dragover', { dataTransfer })
   await expect(page.getByText('Drop the file to open it')).toBeVisible()
   await map.dispatchEvent('drop', { dataTransfer })
   await expect(page.getByText('Drop the file to open it')).toBeHidden()
+}
+
+/**
+ * Lets go of `first.txt`, and of `last.txt` while that is read; returns what lets it be read to its end.
+ */
+export async function dropBoth(page: Page, first: string, last: string) {
+  const slow = await page.evaluateHandle(
+    ([firstText, lastText]) => {
+      let read: (text: string) => void = () => {}
+      const first = new File([], 'first.txt')
+      first.text = () => new Promise((resolve) => (read = resolve))
+      for (const file of [first, new File([lastText], 'last.txt')]) {
+        const drop = new DragEvent('drop', { bubbles: true })
+        // A transfer of the browser's own would hand over a copy of the file.
+        Object.defineProperty(drop, 'dataTransfer', { value: { types: ['Files'], files: [file] } })
+        document.body.dispatchEvent(drop)
+      }
+      return { readFirst: () => read(firstText) }
+    },
+    [first, last] as const,
+  )
+  return () =>
+    slow.evaluate(async ({ readFirst }) => {
+      readFirst()
+      await new Promise((resolve) => requestAnimationFrame(resolve))
+    })
 }
 
 export const plannerSelect = (page: Page): Locator =>

@@ -1,4 +1,5 @@
 import { readSettings } from '../../src/experiments/settings-check'
+import { dropBoth } from '../actions'
 import { ExperimentsPage, SMALL } from '../experiments'
 import { expect, test } from '../fixtures'
 
@@ -40,6 +41,21 @@ test('settings are saved and opened again; a file that is broken changes nothing
   await experiments.openFile('broken.json', JSON.stringify({ ...SMALL, seed: 'x' }))
   await expect(page.getByText(/broken\.json was not opened\. seed: must be/)).toBeVisible()
   expect(readSettings(await experiments.downloaded('Save'))).toEqual(SMALL)
+})
+
+test('of two files that are read at once, the one that was asked for last is opened', async ({
+  page,
+}) => {
+  await new ExperimentsPage(page).open()
+  const readFirst = await dropBoth(
+    page,
+    JSON.stringify({ ...SMALL, seed: 8 }),
+    JSON.stringify(SMALL),
+  )
+  await expect(page.getByText('Opened last.txt.')).toBeVisible()
+  await readFirst()
+  await expect(page.getByLabel('Seed')).toHaveValue(String(SMALL.seed))
+  await expect(page.getByText('first.txt')).toHaveCount(0)
 })
 
 test('maps from files are a family of their own', async ({ page }) => {

@@ -1,6 +1,7 @@
 import {
   choosePlanner,
   drawnRows,
+  dropBoth,
   dropFile,
   expectResult,
   openFile,
@@ -96,27 +97,21 @@ test('a file dropped on the map is opened, and that is one step to undo', async 
   await expectResult(page, 'Reached in 8 cells')
 })
 
+test('of files that are dropped together the first is opened, and that is told', async ({
+  page,
+}) => {
+  await dropFile(page, 'first.txt', 'S..\n.#.\n..G', ['second.txt', 'third.scen'])
+  await expect(page.getByText('Opened first.txt: 3 × 3 cells.').first()).toBeVisible()
+  await expect(page.getByText('Of 3 files only the first, first.txt, was taken.')).toBeVisible()
+})
+
 test('of two files that are read at once, the one that was asked for last is opened', async ({
   map,
   page,
 }) => {
-  const readFirst = await map.element.evaluateHandle((element) => {
-    let read: (text: string) => void = () => {}
-    const first = new File([], 'first.txt')
-    first.text = () => new Promise((resolve) => (read = resolve))
-    for (const file of [first, new File(['S..\n..G'], 'last.txt')]) {
-      const drop = new DragEvent('drop', { bubbles: true })
-      // A transfer of the browser's own would hand over a copy of the file.
-      Object.defineProperty(drop, 'dataTransfer', { value: { types: ['Files'], files: [file] } })
-      element.dispatchEvent(drop)
-    }
-    return { andThen: () => read('S.\n.G') }
-  })
+  const readFirst = await dropBoth(page, 'S.\n.G', 'S..\n..G')
   await expect(page.getByText(/^Opened last\.txt/).first()).toBeVisible()
-  await readFirst.evaluate(async ({ andThen }) => {
-    andThen()
-    await new Promise((resolve) => requestAnimationFrame(resolve))
-  })
+  await readFirst()
   await expect(map.element).toHaveAttribute('data-width', '3')
   await expect(page.getByText('first.txt')).toHaveCount(0)
 })

@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test'
-import { choosePlanner, createMap, expectSettled } from '../actions'
+import { chooseFromMapMenu, choosePlanner, createMap, expectSettled } from '../actions'
 import { expect, test } from '../fixtures'
 import { expectStep, press, scrubber, stepsInAll } from '../steps'
 
@@ -77,4 +77,27 @@ test('landmarks and both ends of a tape of a million events are found', async ({
   await expectStep(page, steps, steps)
   await press(page, 'Shift+ArrowLeft', 2)
   await expectStep(page, 1102, steps)
+})
+
+test('a long trace is written while the page goes on, and can be cancelled', async ({ page }) => {
+  await choosePlanner(page, 'Grid decomposition')
+  await createMap(page, 700, 700)
+  await expectSettled(page)
+  let downloads = 0
+  page.on('download', () => downloads++)
+  // Slow enough for a person, whatever the machine.
+  const client = await page.context().newCDPSession(page)
+  await client.send('Emulation.setCPUThrottlingRate', { rate: 8 })
+  await chooseFromMapMenu(page, 'Save trace for Posthoc (+ .map)')
+  const bar = page.getByRole('progressbar', { name: 'Saving…' })
+  await expect(bar).toHaveAttribute('aria-valuenow', /./)
+  await press(page, 'Home')
+  await expectStep(page, 0)
+  await expect(bar).toBeVisible()
+  await scrubber(page).focus()
+  await page.getByRole('button', { name: 'Cancel' }).press('Enter')
+  await expect(page.getByText('Cancelled.')).toBeVisible()
+  await expect(bar).toBeHidden()
+  await expect(scrubber(page)).toBeFocused()
+  expect(downloads).toBe(0)
 })

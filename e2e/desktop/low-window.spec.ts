@@ -1,6 +1,7 @@
 import type { Locator, Page } from '@playwright/test'
 import { chooseFromMapMenu, unfold } from '../actions'
 import { expect, test } from '../fixtures'
+import { hiddenParts } from '../hidden-parts'
 import { openScenario, playback, reasons, scrubber } from '../steps'
 
 const SIZES = [
@@ -65,6 +66,22 @@ for (const { name, ...size } of SIZES) {
     await expectInReach(comparison.getByLabel('Tangent Bug'))
     await expectInReach(comparison.getByText('Ratio: steps of the path'))
     await expectPlaybackInReach(page)
+  })
+}
+
+for (const size of [
+  { width: 640, height: 400 },
+  { width: 640, height: 480 },
+  { width: 568, height: 320 },
+]) {
+  const window = `a window of ${size.width} × ${size.height}`
+  test(`the map is seen at first in ${window}, clear of the cards`, async ({ map, page }) => {
+    await page.setViewportSize(size)
+    await page.reload()
+    await expect(map.element).toHaveAttribute('data-status', 'reached')
+    await expect.poll(() => hiddenParts(page, map)).toEqual([])
+    const { scale, height } = await map.view()
+    expect(scale * height, 'pixels from its top to its bottom').toBeGreaterThan(size.height / 2)
   })
 }
 

@@ -1,6 +1,13 @@
 import { linkTo } from '../../src/app/storage/link'
 import { problemFromText } from '../../src/index'
-import { chooseFromMapMenu, choosePlanner, expectResult, openMap, saveMap } from '../actions'
+import {
+  chooseFromMapMenu,
+  choosePlanner,
+  expectResult,
+  expectSettled,
+  openMap,
+  saveMap,
+} from '../actions'
 import { expect, test } from '../fixtures'
 
 const ROWS = `
@@ -27,6 +34,8 @@ test('what is drawn survives a reload', async ({ map, page }) => {
   await page.getByLabel('Sensor range').fill('4')
   await page.getByLabel('Variant').selectOption('classic')
   await page.getByLabel('Diagonal steps').selectOption('only-when-no-obstacles')
+  // The headline is still that of the plan before while the new one is on its way.
+  await expectSettled(page)
   await expectResult(page, /^Reached/)
   const cells = String(await map.element.getAttribute('data-cells'))
   const before = await saveMap(page)

@@ -1,6 +1,14 @@
 import type { Page } from '@playwright/test'
 import { themes } from '../../src/render/theme'
-import { chooseFromMapMenu, drawnRows, openFile } from '../actions'
+import {
+  chooseFromMapMenu,
+  choosePlanner,
+  createMap,
+  drawnRows,
+  expectSettled,
+  openFile,
+  setParam,
+} from '../actions'
 import { expect, test } from '../fixtures'
 import { openScenario, press, type SavedFile, save, stepsInAll } from '../steps'
 
@@ -151,4 +159,16 @@ test('the picture as it stands is saved as SVG', async ({ page }) => {
   const atBeginning = await shown()
   expect(atBeginning.numbers).toEqual([])
   expect(atBeginning.text).not.toBe(atEnd.text)
+})
+
+test('what a picture leaves out is told', async ({ page }) => {
+  const words = page.getByText('The picture leaves out vertices or edges')
+  await save(page, 'Save picture (PNG)')
+  await expect(words).toBeHidden()
+  await choosePlanner(page, 'Probabilistic roadmap')
+  await createMap(page, 400, 400)
+  await setParam(page, 'Samples', 100_000)
+  await expectSettled(page)
+  await save(page, 'Save picture (PNG)')
+  await expect(words).toBeVisible()
 })

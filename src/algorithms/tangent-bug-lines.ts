@@ -18,9 +18,8 @@ export const { text, line } = pseudocode({
     '  target ← of the nodes nearer to the goal than all targets reached before, the one with the least distance rover → node → goal',
   towards: '  motion to goal: a step towards the target',
   hit: '  if no node is nearer to the goal: follow the boundary of the obstacle in the way',
-  reach: '  d_reach ← distance to the goal of the nearest free place in reach',
-  followed: '  d_followed ← distance to the goal of the nearest cell sensed of this obstacle',
-  around: '  while d_reach is not less than d_followed: a step along the boundary',
+  around:
+    '  while d_reach, the distance to the goal of the nearest free place in reach, is not less than d_followed, that of the nearest cell sensed of this obstacle: a step along the boundary',
   unreachable: '  if that came round once: the goal is unreachable',
   leave: '  else leave for the place in reach and start over',
   reached: 'as soon as the goal is met: done',

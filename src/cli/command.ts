@@ -10,7 +10,8 @@ export const USAGE = `Runs an experiment: the planners and maps that a settings 
 
   --out      where the rows go, as JSON lines; without it they are printed
              (with "npm run -s", or npm prints lines of its own above them).
-             A run that was broken off goes on where its file ends.
+             A run that was broken off goes on where its file ends. While one
+             writes to it, a file whose name ends in ".lock" keeps others out.
   --shard    only the i-th of n parts of the maps
   --workers  how many threads work (as many as there are cores, if nothing else is said)
   --merge    joins the files of all shards into the one that a single run would have made

@@ -2,13 +2,13 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { availableParallelism } from 'node:os'
 import { join } from 'node:path'
 import { evaluate } from '../evaluation/evaluation'
-import { resultsFromLines } from '../experiments/results-json'
+import { openResults } from '../experiments/open-results'
 import { countWork } from '../experiments/settings'
 import { InputError } from '../grid/errors'
 
 /** Writes `evaluation.md` and its drawings into a folder, out of the rows of the settings it is about. */
 function main([rowsFile, folder]: readonly string[]): void {
-  const results = resultsFromLines(readFileSync(rowsFile, 'utf8'))
+  const results = openResults(readFileSync(rowsFile, 'utf8'))
   if (results.rows.length < countWork(results.settings).runs) {
     throw new InputError(`${rowsFile} is not complete.`)
   }

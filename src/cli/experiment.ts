@@ -5,6 +5,7 @@ import { readSettings } from '../experiments/settings-check'
 import { rangeOfShard } from '../experiments/shards'
 import { InputError } from '../grid/errors'
 import { type Command, readCommand, USAGE } from './command'
+import { whileLocked } from './lock'
 import { mergeShards } from './merge'
 import { runMaps, serve } from './pool'
 import { Progress } from './progress'
@@ -16,9 +17,12 @@ const INTERRUPTED = 130
 async function main(): Promise<void> {
   const command = readCommand(process.argv.slice(2))
   if (command.kind === 'help') process.stdout.write(USAGE)
-  else if (command.kind === 'merge') await mergeShards(command.files, command.out)
-  else await run(command)
+  else if (command.out === null) await work(command)
+  else await whileLocked(command.out, () => work(command))
 }
+
+const work = (command: Exclude<Command, { kind: 'help' }>): Promise<void> =>
+  command.kind === 'merge' ? mergeShards(command.files, command.out) : run(command)
 
 async function run(command: Extract<Command, { kind: 'run' }>): Promise<void> {
   const { shard, out, workers } = command

@@ -1,5 +1,4 @@
-import { createReadStream, createWriteStream, mkdirSync, renameSync, rmSync } from 'node:fs'
-import { dirname } from 'node:path'
+import { createReadStream, createWriteStream, renameSync, rmSync } from 'node:fs'
 import { pipeline } from 'node:stream/promises'
 import { type Origin, readOrigin } from '../experiments/results'
 import { originToLine, parseLine } from '../experiments/results-json'
@@ -31,7 +30,6 @@ export async function mergeShards(paths: readonly string[], out: string | null):
   checkTogether(files)
   if (out === null) return pipeline(rowsOf(files), process.stdout, { end: false })
   headerThere(out, { ...files[0].origin, shard: WHOLE })?.lines.return()
-  mkdirSync(dirname(out), { recursive: true })
   const part = `${out}.part`
   try {
     await pipeline(rowsOf(files), createWriteStream(part))

@@ -1,5 +1,4 @@
-import { closeSync, existsSync, ftruncateSync, mkdirSync, openSync, writeSync } from 'node:fs'
-import { dirname } from 'node:path'
+import { closeSync, existsSync, ftruncateSync, openSync, writeSync } from 'node:fs'
 import { type Origin, readOrigin } from '../experiments/results'
 import { originToLine, parseLine } from '../experiments/results-json'
 import { countWork } from '../experiments/settings'
@@ -25,13 +24,12 @@ export function printRows(origin: Origin): RowsWriter {
 
 /**
  * Writes to a file, behind the maps that are in it already. What a run that was broken off left half
- * written, a line or the rows of a map, is cut off. A folder that is missing is made.
+ * written, a line or the rows of a map, is cut off.
  * @throws InputError if the file has something else in it, which is left as it is
  */
 export function openRowsFile(path: string, origin: Origin): RowsWriter {
   const there = whatIsThere(path, origin)
   const isNew = there.end === 0
-  mkdirSync(dirname(path), { recursive: true })
   const file = openSync(path, isNew ? 'w' : 'r+')
   ftruncateSync(file, there.end)
   let { end } = there

@@ -8,9 +8,18 @@ import { resultsFromJson, resultsFromLines } from './results-json'
  * @throws InputError that says what is wrong with it, and where
  */
 export function openResults(text: string): Results {
+  const opening = openingResults(text)
+  for (;;) {
+    const step = opening.next()
+    if (step.done) return step.value
+  }
+}
+
+/** The same with rests: it yields what share of the rows is read, from 0 to 1. */
+export function* openingResults(text: string): Generator<number, Results, void> {
   const content = fileText(text)
-  if (content.startsWith('#')) return resultsFromCsv(content)
-  return beginsWithOrigin(content) ? resultsFromLines(content) : resultsFromJson(content)
+  if (content.startsWith('#')) return yield* resultsFromCsv(content)
+  return yield* beginsWithOrigin(content) ? resultsFromLines(content) : resultsFromJson(content)
 }
 
 /** Whether the first line is a JSON value of its own, and not all of the results in one line. */

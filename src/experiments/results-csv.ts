@@ -1,9 +1,10 @@
 import { InputError } from '../grid/errors'
 import { describe } from '../grid/excerpt'
+import { inParts } from './in-parts'
+import { readRows } from './read-rows'
 import { originToJson, type Results, readOrigin } from './results'
 import { parseLine } from './results-json'
 import type { Row } from './row'
-import { rowReader } from './row-reader'
 
 type Value = string | number | boolean | null
 
@@ -44,53 +45,78 @@ const COLUMNS = [
 /** Columns whose values are words, whatever they look like. */
 const WORDS: ReadonlySet<string> = new Set(['family', 'planner', 'status'])
 
+/** Results as a table of values separated by commas: all parts of `csvInParts` together. */
+export const resultsToCsv = (results: Results): string => [...csvInParts(results)].join('')
+
 /**
- * Results as a table of values separated by commas (RFC 4180). A comment before the names of the
- * columns has the settings as JSON; most programs skip it if told that "#" begins a comment.
+ * Results as a table of values separated by commas (RFC 4180), a part of its text after the other. A
+ * comment before the names of the columns has the settings as JSON; most programs skip it if told that
+ * "#" begins a comment.
  */
-export function resultsToCsv({ rows, ...origin }: Results): string {
-  const flat = rows.map(flatten)
-  const names = columnNames(flat)
-  const lines = flat.map((row) => names.map((name) => quoted(row[name] ?? null)).join(','))
-  return [`# ${JSON.stringify(originToJson(origin))}`, names.join(','), ...lines, ''].join('\n')
+export function* csvInParts(
+  { rows, ...origin }: Results,
+  progress?: (done: number) => void,
+): Generator<string, void, void> {
+  const columns = columnsOf(rows)
+  const names = columns.map(({ name }) => name)
+  yield `# ${JSON.stringify(originToJson(origin))}\n${names.join(',')}\n`
+  const line = (row: Row) => `${columns.map(({ of }) => quoted(of(row))).join(',')}\n`
+  yield* inParts(rows, line, '', progress)
 }
 
 /**
- * The results in a table that `resultsToCsv` wrote.
+ * The results in a table that `resultsToCsv` wrote. It yields what share of the rows is read.
  * @throws InputError that names the line that is wrong
  */
-export function resultsFromCsv(text: string): Results {
+export function* resultsFromCsv(text: string): Generator<number, Results, void> {
   const [comment, header, ...lines] = text.replaceAll('\r\n', '\n').trimEnd().split('\n')
   if (!comment.startsWith('# ')) throw new InputError('Line 1 must be "# " and the settings.')
   const origin = readOrigin(parseLine(comment.slice(2), 1))
   const names = (header ?? '').split(',')
-  const read = rowReader(origin)
-  const rows = lines.map((line, i) => {
-    const number = `Line ${i + 3}`
+  const nameOf = (i: number) => `Line ${i + 3}`
+  const jsonOf = (line: string, i: number) => {
     const values = splitLine(line)
     if (values.length !== names.length) {
       throw new InputError(
-        `${number} has ${values.length} values, but there are ${names.length} columns.`,
+        `${nameOf(i)} has ${values.length} values, but there are ${names.length} columns.`,
       )
     }
     const row = names.map((name, k) => [name, valueIn(values[k], WORDS.has(name))] as const)
-    return read(unflatten(Object.fromEntries(row)), number)
-  })
-  return { ...origin, rows }
+    return unflatten(Object.fromEntries(row))
+  }
+  return { ...origin, rows: yield* readRows(origin, lines, jsonOf, nameOf) }
 }
 
-function flatten({ start, goal, mapParams, params, ...plain }: Row): Record<string, Value> {
-  const within = (prefix: string, values: Readonly<Record<string, Value>>) =>
-    Object.entries(values).map(([name, value]) => [`${prefix}.${name}`, value] as const)
-  return {
-    ...plain,
-    'start.x': start[0],
-    'start.y': start[1],
-    'goal.x': goal[0],
-    'goal.y': goal[1],
-    ...Object.fromEntries(within('mapParams', mapParams)),
-    ...Object.fromEntries(within('params', params)),
-  }
+interface Column {
+  readonly name: string
+  of(row: Row): Value
+}
+
+/** All columns; those of parameters in the order in which they appear. */
+function columnsOf(rows: readonly Row[]): Column[] {
+  return COLUMNS.flatMap((name): Column[] => {
+    switch (name) {
+      case 'start.x':
+        return [{ name, of: ({ start }) => start[0] }]
+      case 'start.y':
+        return [{ name, of: ({ start }) => start[1] }]
+      case 'goal.x':
+        return [{ name, of: ({ goal }) => goal[0] }]
+      case 'goal.y':
+        return [{ name, of: ({ goal }) => goal[1] }]
+      case 'mapParams':
+      case 'params': {
+        const inner = new Set<string>()
+        for (const row of rows) for (const param of Object.keys(row[name])) inner.add(param)
+        return Array.from(inner, (param) => ({
+          name: `${name}.${param}`,
+          of: (row) => row[name][param] ?? null,
+        }))
+      }
+      default:
+        return [{ name, of: (row) => row[name] }]
+    }
+  })
 }
 
 function unflatten(flat: Readonly<Record<string, Value>>): unknown {
@@ -107,15 +133,6 @@ function unflatten(flat: Readonly<Record<string, Value>>): unknown {
     else if (value !== null) row[field] = { ...Object(row[field]), [inner]: value }
   }
   return row
-}
-
-/** All columns; those of parameters in the order in which they appear. */
-function columnNames(flat: readonly Readonly<Record<string, Value>>[]): string[] {
-  const seen = new Set(flat.flatMap((row) => Object.keys(row)))
-  const within = (field: string) => [...seen].filter((name) => name.startsWith(`${field}.`))
-  return COLUMNS.flatMap((name) =>
-    name === 'mapParams' || name === 'params' ? within(name) : [name],
-  )
 }
 
 function quoted(value: Value): string {

@@ -13,14 +13,11 @@ import { planOnMap, type Scene } from './scene'
 import { svgCells } from './svg-cells'
 import { SvgPen, svgPaint } from './svg-pen'
 
-/** Side of a cell in pixels, unless the map is too large for that or another size is asked for. */
+/** Side of a cell in pixels, unless the map is too large for that. */
 const PNG_CELL = 48
 const SVG_CELL = 32
 /** Longer side of the map in pixels up to which cells have that size. */
-const USUAL_SIDE = 4096
-/** With the margins 8192 at most: browsers draw no canvas that is much larger. */
-const GREATEST_CELL = 128
-const GREATEST_SIDE = 8128
+const LONGEST_SIDE = 4096
 /** Around the map, as wide as it is on the screen: room for marks that are larger than their cells. */
 const MARGIN = 8
 /** With cells of this size, lines and marks are as wide as on the screen; they grow with larger ones. */
@@ -28,6 +25,12 @@ const SCREEN_CELL = 32
 
 /** More vertices, or lines of a roadmap, than this are left out. */
 const MOST_DRAWN = 100_000
+
+/** A picture as a file, and whether vertices or edges are left out of it. */
+interface SavedPicture<Content> {
+  readonly content: Content
+  readonly isCrowded: boolean
+}
 
 interface WholeMap {
   readonly place: Placement
@@ -46,25 +49,36 @@ function wholeMap({ problem }: Scene, cell: number): WholeMap {
   return { place: placeMap(view, grid, { width, height, pixel }), width, height }
 }
 
-/** All that lies upon the cells. */
-function drawUponCells(pen: Pen, place: Placement, scene: Scene, range: FieldRange | null): void {
+/** All that lies upon the cells. Returns whether vertices or edges are left out. */
+function drawUponCells(
+  pen: Pen,
+  place: Placement,
+  scene: Scene,
+  range: FieldRange | null,
+): boolean {
   const frame = planOnMap(scene)?.frame
+  let isCrowded = false
   drawGround(pen, place, scene, range)
   if (frame) {
-    const lines = edgeLines(place.columns, place.rows, frame.edges)
-    const { vertices } = frame
-    if (lines.length <= 2 * MOST_DRAWN) drawEdges(pen, place, scene.theme, lines)
-    drawPlan(pen, place, scene.theme, frame, vertices.length <= MOST_DRAWN ? vertices : [])
+    const { vertices, edges, edgesCut } = frame
+    const lines = edgeLines(place.columns, place.rows, edges)
+    const [hidesEdges, hidesVertices] = [
+      lines.length > 2 * MOST_DRAWN,
+      vertices.length > MOST_DRAWN,
+    ]
+    if (!hidesEdges) drawEdges(pen, place, scene.theme, lines)
+    drawPlan(pen, place, scene.theme, frame, hidesVertices ? [] : vertices)
+    isCrowded = hidesEdges || hidesVertices || edgesCut
   }
   drawComparison(pen, place, scene.theme, scene.comparison)
   drawMarks(pen, place, scene)
+  return isCrowded
 }
 
-/** A whole number of pixels, `size` unless the map's longer side would then pass `longest`. */
-function cellWithin({ problem }: Scene, size: number, longest: number): number {
+/** Side of a cell: a whole number of pixels, `size` unless the picture would be too large. */
+function cellSide({ problem }: Scene, size: number): number {
   const { width, height } = problem.grid
-  const most = longest / Math.max(width, height)
-  return Math.max(1, Math.floor(Math.min(size, most)))
+  return Math.floor(Math.min(size, LONGEST_SIDE / Math.max(width, height)))
 }
 
 /** Whether the browser gives out what was drawn on a canvas, give or take a little. */
@@ -78,19 +92,15 @@ function canBeRead(): boolean {
 
 /**
  * The picture of the whole map as a PNG.
- * @param cellSize side of a cell in pixels; less if it is more than 128 or a side of the picture
- *   would be more than 8192
  * @throws Error if the browser cannot make a picture of this size, or gives out none
  */
-export async function pictureAsPng(scene: Scene, cellSize?: number): Promise<Blob> {
+export async function pictureAsPng(scene: Scene): Promise<SavedPicture<Blob>> {
   if (!canBeRead()) {
     throw new Error(
       'To guard your privacy, this browser gives out noise for what a page draws. Allow this page to read its canvases, or save an SVG.',
     )
   }
-  const usual = cellWithin(scene, PNG_CELL, USUAL_SIDE)
-  const asked = Math.min(cellSize ?? usual, GREATEST_CELL)
-  const { place, width, height } = wholeMap(scene, cellWithin(scene, asked, GREATEST_SIDE))
+  const { place, width, height } = wholeMap(scene, cellSide(scene, PNG_CELL))
   const context = newContext(width, height)
   const image = new CellImage()
   const cells = new CellCanvas()
@@ -100,10 +110,10 @@ export async function pictureAsPng(scene: Scene, cellSize?: number): Promise<Blo
   context.fillRect(0, 0, width, height)
   drawBorder(context, place, scene.theme)
   cells.draw(context, place)
-  drawUponCells(context, place, scene, image.fieldRange)
+  const isCrowded = drawUponCells(context, place, scene, image.fieldRange)
   return new Promise((resolve, reject) => {
     context.canvas.toBlob((blob) => {
-      if (blob) resolve(blob)
+      if (blob) resolve({ content: blob, isCrowded })
       else reject(new Error('This browser cannot make a picture of this size.'))
     }, 'image/png')
   })
@@ -113,18 +123,18 @@ export async function pictureAsPng(scene: Scene, cellSize?: number): Promise<Blo
  * The picture of the whole map as a standalone SVG file.
  * @throws InputError if the map's cells need too many rectangles
  */
-export function pictureAsSvg(scene: Scene): string {
+export function pictureAsSvg(scene: Scene): SavedPicture<string> {
   const { theme, problem } = scene
   const image = new CellImage()
   image.update(scene)
   const cells = svgCells(image.pixels, problem.grid.width)
-  const cell = cellWithin(scene, SVG_CELL, USUAL_SIDE)
+  const cell = cellSide(scene, SVG_CELL)
   const { place, width, height } = wholeMap(scene, cell)
   const below = new SvgPen()
   drawBorder(below, place, theme)
   const above = new SvgPen()
-  drawUponCells(above, place, scene, image.fieldRange)
-  return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">
+  const isCrowded = drawUponCells(above, place, scene, image.fieldRange)
+  const content = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">
 <title>Map of ${problem.grid.width} × ${problem.grid.height} cells</title>
 <rect width="${width}" height="${height}"${svgPaint('fill', theme.outside)}/>
 ${below.elements()}
@@ -134,4 +144,5 @@ ${cells}
 ${above.elements()}
 </svg>
 `
+  return { content, isCrowded }
 }

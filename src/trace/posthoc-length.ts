@@ -16,9 +16,15 @@ const LEAST: readonly (readonly [EventKind, number])[] = [
 const LEAST_OF_KIND = new Uint8Array(256)
 for (const [kind, least] of LEAST) LEAST_OF_KIND[kind] = least
 
+/** So many are looked at within a fraction of a frame. */
+const EVENTS_AT_ONCE = 1 << 17
+
 /** A number of characters that the events of a tape's trace have at least. */
-export function leastLength(tape: Tape): number {
+export function* leastLength(tape: Tape): Generator<string, number, void> {
   let length = 0
-  for (let i = 0; i < tape.length; i++) length += LEAST_OF_KIND[tape.kind(i)]
+  for (let i = 0; i < tape.length; i++) {
+    length += LEAST_OF_KIND[tape.kind(i)]
+    if (i % EVENTS_AT_ONCE === 0) yield ''
+  }
   return length
 }

@@ -1,8 +1,8 @@
 import { InputError } from '../grid/errors'
 import { type Cell, pointOf, type Size } from '../grid/grid'
 
-/** So many events are joined at a time: before, each is kept in memory as the many pieces it was made of. */
-const BLOCK = 4096
+/** So many events make a part of the text. */
+const PART = 1024
 
 /** A number as JSON, at most six decimals; what JSON cannot say becomes a text. */
 function numberText(value: number): string {
@@ -19,8 +19,8 @@ export class PosthocLines {
   readonly #most: number
   /** For each cell whether an event had its `id`: only then another event may name it as parent. */
   readonly #known: Uint8Array
-  readonly #blocks: string[] = []
   #lines: string[] = []
+  /** Of the parts that were taken, in characters. */
   #length = 0
   #open = ''
 
@@ -79,15 +79,24 @@ export class PosthocLines {
     return this.tell(nameOfX, String(x)).tell(nameOfY, String(y))
   }
 
+  /** Whether there is enough for a part of the text. */
+  get isFull(): boolean {
+    return this.#lines.length >= PART
+  }
+
   /**
-   * All events, with commas between them.
-   * @throws InputError if they have more characters than they may. So does `begin`, as soon as it is
-   * known.
+   * The events since the last part, with commas between them and before them.
+   * @throws InputError if all events have more characters than they may
    */
-  text(): string {
+  take(): string {
     this.#close()
-    this.#join()
-    return this.#blocks.join(',\n')
+    if (this.#lines.length === 0) return ''
+    const comma = this.#length > 0 ? ',\n' : ''
+    const part = comma + this.#lines.join(',\n')
+    this.#lines = []
+    this.#length += part.length
+    this.mustFit(this.#length)
+    return part
   }
 
   /** @throws InputError if the events may not have so many characters. */
@@ -99,18 +108,7 @@ export class PosthocLines {
   }
 
   #close(): void {
-    if (this.#open === '') return
-    const count = this.#lines.push(`${this.#open}}`)
+    if (this.#open !== '') this.#lines.push(`${this.#open}}`)
     this.#open = ''
-    if (count === BLOCK) this.#join()
-  }
-
-  #join(): void {
-    if (this.#lines.length === 0) return
-    const block = this.#lines.join(',\n')
-    this.#lines = []
-    this.#blocks.push(block)
-    this.#length += block.length
-    this.mustFit(this.#length)
   }
 }

@@ -45,6 +45,9 @@ export class PosthocSearch {
       case EVENT.edge:
         this.#between('edge', cell, other).tellNumber('weight', value)
         break
+      case EVENT.cut:
+        this.#lines.begin('cut', 'cut', null, -1).tellNumber('edges', value)
+        break
       case EVENT.refuse:
         this.#between('refuse', cell, other).tellPlace('atX', 'atY', value)
         break

@@ -23,29 +23,35 @@ export interface PosthocInfo {
   readonly mapFile: string
 }
 
-/** A browser holds the whole trace as one text, and so does Posthoc. */
+/** Posthoc holds the whole trace as one text, which in a browser cannot be much longer. */
 const MOST_CHARACTERS = 2e8
+
+interface TraceOptions {
+  /** Characters that the events may have. */
+  readonly most?: number
+  /** Is told now and then what share of the tape is written, from 0 to 1. */
+  readonly progress?: (done: number) => void
+}
 
 /**
  * A tape as a search trace of format 1.4.0 for Posthoc (posthoc.pathfinding.ai): the text of a
- * `.trace.json` file that opens on top of the MovingAI map of the same problem. One line an event.
- * @param most characters that its events may have
+ * `.trace.json` file that opens on top of the MovingAI map of the same problem. One line an event. The
+ * text comes in parts, some of them empty, each of them made in a fraction of a frame.
  * @throws InputError if the tape is too long for that.
  */
-export function posthocTrace(
+export function* posthocTrace(
   tape: Tape,
   info: PosthocInfo,
-  most: number = MOST_CHARACTERS,
-): string {
+  { most = MOST_CHARACTERS, progress = () => {} }: TraceOptions = {},
+): Generator<string, void, void> {
   const lines = new PosthocLines(tape, most)
-  // To find that out by writing would keep a page busy for seconds.
-  lines.mustFit(leastLength(tape))
+  // To find that out by writing would take seconds.
+  lines.mustFit(yield* leastLength(tape))
+  yield '{\n"version":"1.4.0",\n"events":[\n'
   writeEnds(lines, info)
-  writeEvents(lines, tape, info)
-  const events = lines.text()
-  const views = JSON.stringify(posthocViews(lines.types, tape.width, highestPotential(tape)))
-  const pivot = JSON.stringify(posthocPivot)
-  return `{\n"version":"1.4.0",\n"views":${views},\n"pivot":${pivot},\n"events":[\n${events}\n]\n}\n`
+  const highest = yield* writtenEvents(lines, tape, info, progress)
+  const views = JSON.stringify(posthocViews(lines.types, tape.width, highest))
+  yield `\n],\n"views":${views},\n"pivot":${JSON.stringify(posthocPivot)}\n}\n`
 }
 
 function writeEnds(lines: PosthocLines, { problem, plannerId, title, mapFile }: PosthocInfo): void {
@@ -58,15 +64,23 @@ function writeEnds(lines: PosthocLines, { problem, plannerId, title, mapFile }: 
   lines.cell('destination', problem.goal)
 }
 
-function writeEvents(lines: PosthocLines, tape: Tape, info: PosthocInfo): void {
+/** Returns the highest finite potential; at least 1, so that it can be divided by. */
+function* writtenEvents(
+  lines: PosthocLines,
+  tape: Tape,
+  info: PosthocInfo,
+  progress: (done: number) => void,
+): Generator<string, number, void> {
   const search = new PosthocSearch(lines, tape.width * tape.height)
   const drive = new PosthocDrive(lines)
   let estimate: Estimate | null = null
+  let highest = 1
   for (let i = 0; i < tape.length; i++) {
     const kind = tape.kind(i)
     const cell = tape.cell(i)
     const other = tape.other(i)
     const value = tape.value(i)
+    if (kind === EVENT.potential && Number.isFinite(value)) highest = Math.max(highest, value)
     if (kind === EVENT.estimate) estimate = { goal: cell, variable: other }
     // What these tell becomes part of other events.
     if (kind === EVENT.estimate || kind === EVENT.value || kind === EVENT.turn) continue
@@ -90,7 +104,12 @@ function writeEvents(lines: PosthocLines, tape: Tape, info: PosthocInfo): void {
       search.open(opened.cell, cell, opened.cost)
       lines.tellNumber('line', line)
     }
+    if (!lines.isFull) continue
+    progress(i / tape.length)
+    yield lines.take()
   }
+  yield lines.take()
+  return highest
 }
 
 /**
@@ -118,15 +137,4 @@ function tellAttached(
   numbers.forEach((number, variable) => {
     lines.tellNumber(variables[variable] ?? `variable ${variable + 1}`, number)
   })
-}
-
-/** At least 1, so that it can be divided by. */
-function highestPotential(tape: Tape): number {
-  let highest = 1
-  for (let i = 0; i < tape.length; i++) {
-    if (tape.kind(i) === EVENT.potential && Number.isFinite(tape.value(i))) {
-      highest = Math.max(highest, tape.value(i))
-    }
-  }
-  return highest
 }

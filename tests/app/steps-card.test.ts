@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest'
+import { plan } from '../../src/algorithms/plan'
 import { planners } from '../../src/algorithms/planners'
 import { loopBegan } from '../../src/app/playback/loop'
 import { type Moment, Moments } from '../../src/app/playback/moment'
@@ -12,6 +13,10 @@ import { codeSection } from '../../src/app/words/code-section'
 import { numberInWords } from '../../src/app/words/numbers'
 import { stepNumbers } from '../../src/app/words/step-numbers'
 import { landmarkInWords, stepInWords } from '../../src/app/words/steps-in-words'
+import { problemFromText } from '../../src/grid/text-map'
+import { stepsOf } from '../../src/trace/landmarks'
+import { Tape } from '../../src/trace/tape'
+import { randomProblem } from '../render/scenes'
 import { planned, setupFrom, stateFrom } from './setups'
 
 const MAP = ['S....', '.###.', '...#.', '.###.', '....G'].join('\n')
@@ -50,6 +55,26 @@ describe('the section of the pseudocode', () => {
       const { tape } = planned(chosen)
       for (let i = 0; i < tape.length; i++) expect(lines).toContain(tape.line(i))
     }
+  })
+
+  it.each(planners)('of $id has no line that is marked at no step', (planner) => {
+    const problems = [
+      ...Object.values(maps).map((text) => problemFromText(text)),
+      ...Array.from({ length: 40 }, (_, i) => randomProblem(14, 11, 0.15 + 0.1 * (i % 5), i)),
+    ]
+    const choices = planner.params.flatMap((param) =>
+      param.kind === 'choice' ? param.choices.map((value) => ({ [param.name]: value })) : [],
+    )
+    const marked = new Set<number>()
+    for (const problem of problems) {
+      for (const params of [{}, ...choices]) {
+        const tape = new Tape()
+        plan(problem, planner.id, { params, tape })
+        for (const time of stepsOf(tape)) if (time > 0) marked.add(tape.line(time - 1))
+      }
+    }
+    const never = planner.pseudocode.filter((text, i) => !marked.has(i) && !/^variant/.test(text))
+    expect(never).toEqual([])
   })
 
   it('is that of the chosen variant, and what both have in common', () => {

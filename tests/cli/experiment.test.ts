@@ -76,22 +76,26 @@ describe('the rows are the same', () => {
   })
 
   test.each([
-    ['SIGKILL', null, ''],
-    ['SIGINT', 130, 'The same command goes on from there.'],
-  ] as const)('after a %s in the middle and another start', async (signal, status, words) => {
-    const settings = settingsFile('longer.json', LONGER)
-    const out = `${signal}.jsonl`
-    const broken = await runUntil(60_000, signal, out, [settings, '--workers', '2'])
-    expect(broken.status).toBe(status)
-    expect(broken.stderr).toContain(words)
-    const before = lineCount(textOf(out))
-    expect(before).toBeGreaterThan(1)
-    expect(before).toBeLessThan(1 + 150 * 12)
-    // Killed in the middle of a line, too.
-    writeFileSync(pathOf(out), `${textOf(out)}{"map":`)
-    expect(run(settings, '--out', out).status).toBe(0)
-    expect(timelessText(textOf(out))).toBe(timelessText(run(settings).stdout))
-  })
+    ['SIGKILL', null, '', true],
+    ['SIGINT', 130, 'The same command goes on from there.', false],
+  ] as const)(
+    'after a %s in the middle and another start',
+    async (signal, status, words, leavesLock) => {
+      const settings = settingsFile('longer.json', LONGER)
+      const out = `${signal}.jsonl`
+      const broken = await runUntil(60_000, signal, out, [settings, '--workers', '2'])
+      expect(broken.status).toBe(status)
+      expect(broken.stderr).toContain(words)
+      expect(existsSync(pathOf(`${out}.lock`))).toBe(leavesLock)
+      const before = lineCount(textOf(out))
+      expect(before).toBeGreaterThan(1)
+      expect(before).toBeLessThan(1 + 150 * 12)
+      // Killed in the middle of a line, too.
+      writeFileSync(pathOf(out), `${textOf(out)}{"map":`)
+      expect(run(settings, '--out', out).status).toBe(0)
+      expect(timelessText(textOf(out))).toBe(timelessText(run(settings).stdout))
+    },
+  )
 
   test('of a file that is complete: nothing is run again', () => {
     const settings = settingsFile('small.json')
@@ -126,6 +130,14 @@ describe('an output file with something else in it is refused and left as it is'
     run(small, '--out', 'again.jsonl')
     expect(run('--merge', 'whole.jsonl', '--out', 'again.jsonl').status).toBe(0)
     expect(textOf('again.jsonl')).toBe(text)
+  })
+
+  test('one that another run or merge writes to', () => {
+    const small = settingsFile('small.json')
+    run(small, '--out', 'busy.jsonl')
+    writeFileSync(pathOf('busy.jsonl.lock'), String(process.pid))
+    expect(refuse('busy.jsonl', small)).toContain(`process ${process.pid}, writes to busy.jsonl`)
+    expect(refuse('busy.jsonl', '--merge', 'busy.jsonl')).toContain('writes to busy.jsonl')
   })
 
   test('rows of other settings, of another shard', () => {

@@ -1,5 +1,8 @@
 import { describe, expect, test } from 'vitest'
+import { openingResults } from '../../src/experiments/open-results'
 import type { Results } from '../../src/experiments/results'
+import { csvInParts } from '../../src/experiments/results-csv'
+import { jsonInParts } from '../../src/experiments/results-json'
 import {
   InputError,
   openResults,
@@ -20,6 +23,18 @@ describe.each(Object.entries(FORMATS))('%s', (_, write) => {
   test('is opened again, settings and all', () => {
     expect(openResults(write(results))).toEqual(results)
     expect(openResults(`\uFEFF${write(results)}`)).toEqual(results)
+  })
+
+  test('is opened in its order, whatever the order of its rows', () => {
+    expect(openResults(write({ ...results, rows: rows.toReversed() }))).toEqual(results)
+  })
+
+  test('is opened with rests, so that a page can go on meanwhile', () => {
+    const first = rows.filter(({ map }) => map === 0)
+    const all = Array.from({ length: 30 }, (_, map) => first.map((row) => ({ ...row, map }))).flat()
+    const shares = [...openingResults(write({ ...results, rows: all }))]
+    expect(shares).toEqual(shares.map((_, i) => (64 * i) / all.length))
+    expect(shares.length).toBe(Math.ceil(all.length / 64))
   })
 
   test('without rows too', () => {
@@ -51,11 +66,24 @@ describe.each(Object.entries(FORMATS))('%s', (_, write) => {
   })
 })
 
+test.each([
+  ['CSV', csvInParts, resultsToCsv],
+  ['JSON', jsonInParts, resultsToJson],
+] as const)('%s of many rows comes in parts that are soon made', (_, inParts, whole) => {
+  const many = { ...results, rows: Array.from({ length: 1000 }, (_, i) => rows[i % rows.length]) }
+  const told: number[] = []
+  const parts = [...inParts(many, (done) => told.push(done))]
+  expect(parts.join('')).toBe(whole(many))
+  expect(Math.max(...parts.map(({ length }) => length))).toBeLessThan(whole(many).length / 10)
+  expect(told.length).toBeGreaterThan(10)
+  expect(told).toEqual(told.toSorted((a, b) => a - b))
+  expect([told[0], told.at(-1)].every((done) => done !== undefined && done < 1)).toBe(true)
+})
+
 describe('rows that are not those of the settings are refused', () => {
   const [first, second] = rows
   test.each([
-    ['there twice', [first, first], 'Row 1 is out of place'],
-    ['in another order', [second, first], 'Row 1 is out of place'],
+    ['there twice', [first, second, first], 'Map 0 has two rows of planner setting 0.'],
     ['of another setting', [{ ...first, setting: 99 }], 'Row 0 is of map 0 and of decomposition'],
     ['of another planner', [{ ...first, planner: 'x' }], 'Row 0 is of map 0 and of x as planner'],
     ['of another map', [{ ...first, map: 30 }], 'Row 0 is of map 30'],

@@ -1,11 +1,10 @@
 import { describe, expect, it } from 'vitest'
 import { contrast, rgbOf } from '../../src/render/colour'
-import { pictureAsSvg } from '../../src/render/export'
 import { inLane } from '../../src/render/layers/comparison'
 import { pathStyles } from '../../src/render/path-styles'
 import { placeMap } from '../../src/render/placement'
 import { themes } from '../../src/render/theme'
-import { randomProblem, sceneOf } from './scenes'
+import { randomProblem, sceneOf, svgOf } from './scenes'
 
 const problem = randomProblem(9, 9, 0, 1)
 const path = [0, 1, 2, 12, 22, 31]
@@ -54,7 +53,7 @@ describe('the picture of compared paths', () => {
     const middle = (pathStyles.length - 1) / 2
     for (const theme of [themes.dark, themes.light]) {
       const comparison = pathStyles.map((style) => ({ path, style }))
-      const svg = pictureAsSvg(sceneOf(problem, { theme, comparison }))
+      const svg = svgOf(sceneOf(problem, { theme, comparison }))
       for (const { colour, dash, lane } of pathStyles) {
         const [line, ...more] = strokes(svg, colour[theme.name])
         expect(more).toEqual([])
@@ -68,7 +67,7 @@ describe('the picture of compared paths', () => {
   })
 
   it('has none if none are compared', () => {
-    const svg = pictureAsSvg(sceneOf(problem))
+    const svg = svgOf(sceneOf(problem))
     for (const { colour } of pathStyles.slice(1)) expect(strokes(svg, colour.dark)).toEqual([])
   })
 })

@@ -9,8 +9,8 @@ import { isKnownObstacle } from '../../src/render/known-obstacles'
 import type { Scene } from '../../src/render/scene'
 import { MOST_RECTS, svgCells } from '../../src/render/svg-cells'
 import { themes } from '../../src/render/theme'
-import { knownOf } from '../../src/trace/frame'
-import { momentOf, randomProblem, sceneOf, tapeOf } from './scenes'
+import { type Frame, knownOf } from '../../src/trace/frame'
+import { momentOf, randomProblem, sceneOf, svgOf, tapeOf } from './scenes'
 import { areaOf, elementsOf } from './svg'
 
 /** How many cells of each colour there are in an SVG. */
@@ -36,7 +36,7 @@ describe('a picture as SVG', () => {
   const obstacles = problem.grid.walls.reduce((sum, wall) => sum + wall, 0)
 
   it('is a sound document with a size and a title', () => {
-    const svg = pictureAsSvg(sceneOf(problem))
+    const svg = svgOf(sceneOf(problem))
     const [root, title] = elementsOf(svg)
     expect(root.name).toBe('svg')
     expect(root.attributes.get('xmlns')).toBe('http://www.w3.org/2000/svg')
@@ -47,14 +47,14 @@ describe('a picture as SVG', () => {
 
   it('has each cell once, in its colour', () => {
     const { cell, obstacle } = themes.light
-    const byColour = cellsByColour(pictureAsSvg(sceneOf(problem, { theme: themes.light })))
+    const byColour = cellsByColour(svgOf(sceneOf(problem, { theme: themes.light })))
     expect(byColour.get(obstacle.seen)).toBe(obstacles)
     expect(byColour.get(cell.free)).toBe(23 * 17 - obstacles)
     expect(byColour.size).toBe(2)
   })
 
   it('lays runs of cells where they are on the map', () => {
-    const svg = pictureAsSvg(sceneOf(problemFromText('S#.##\n####.\n....G')))
+    const svg = svgOf(sceneOf(problemFromText('S#.##\n####.\n....G')))
     // Two runs in the first row, the second of which does not go on in the next row.
     const runs = 'M1 0h1v1h-1zM3 0h2v1h-2zM0 1h4v1h-4z'
     expect(svg).toContain(`<path fill="${themes.dark.obstacle.seen}" d="${runs}"/>`)
@@ -74,7 +74,7 @@ describe('a picture as SVG', () => {
     const marks = { cursor: 3, hovered: 30, showPotential: true, sensorRange }
     for (let i = 0; i < 40; i++) {
       const plan = momentOf(tape, randomInteger(random, tape.length + 1))
-      const svg = pictureAsSvg(sceneOf(problem, { ...marks, plan }))
+      const svg = svgOf(sceneOf(problem, { ...marks, plan }))
       expect(svg).not.toContain('NaN')
       expect(svg).not.toContain('undefined')
       const area = [...cellsByColour(svg).values()].reduce((a, b) => a + b, 0)
@@ -85,9 +85,7 @@ describe('a picture as SVG', () => {
 
   it('draws the path that was found', () => {
     const corridor = problemFromText('S...G\n.....')
-    const svg = pictureAsSvg(
-      sceneOf(corridor, { plan: momentOf(tapeOf(corridor, 'decomposition')) }),
-    )
+    const svg = svgOf(sceneOf(corridor, { plan: momentOf(tapeOf(corridor, 'decomposition')) }))
     const path = elementsOf(svg).find(
       ({ attributes }) => attributes.get('stroke') === themes.dark.path,
     )
@@ -95,9 +93,30 @@ describe('a picture as SVG', () => {
     expect(path?.attributes.get('d')).toBe('M24 24L152 24')
   })
 
+  it('says that vertices or edges are left out, if they are', () => {
+    const large = { ...randomProblem(500, 500, 0, 1), goal: 2 }
+    const plan = momentOf(tapeOf(large, 'probabilistic-roadmap'))
+    const drawn = (changes: Partial<Frame>) => {
+      const frame = { ...plan.frame, ...changes }
+      const { content, isCrowded } = pictureAsSvg(sceneOf(large, { plan: { ...plan, frame } }))
+      const shapes = elementsOf(content).filter(({ name }) => name === 'path')
+      const { theme } = sceneOf(large)
+      const has = (key: string, colour: string) =>
+        shapes.some(({ attributes }) => attributes.get(key) === colour)
+      return { isCrowded, edges: has('stroke', theme.roadmap), vertices: has('fill', theme.vertex) }
+    }
+    expect(drawn({})).toEqual({ isCrowded: false, edges: true, vertices: true })
+    expect(drawn({ edgesCut: true })).toEqual({ isCrowded: true, edges: true, vertices: true })
+    // So many edges of one step each, no two of which lie on a line together.
+    const edges = Int32Array.from({ length: 250_000 }, (_, i) => i)
+    expect(drawn({ edges })).toEqual({ isCrowded: true, edges: false, vertices: true })
+    const vertices = edges.subarray(0, 100_001)
+    expect(drawn({ vertices })).toEqual({ isCrowded: true, edges: true, vertices: false })
+  })
+
   it('draws the roadmap: its edges as lines, and a circle on each vertex', () => {
     const plan = momentOf(tapeOf(problem, 'visibility-graph'))
-    const elements = elementsOf(pictureAsSvg(sceneOf(problem, { plan })))
+    const elements = elementsOf(svgOf(sceneOf(problem, { plan })))
     const pathOf = (kind: 'fill' | 'stroke', colour: string) =>
       elements.find(({ attributes }) => attributes.get(kind) === colour)?.attributes.get('d') ?? ''
     const { vertices, edges } = plan.frame
@@ -110,7 +129,7 @@ describe('a picture as SVG', () => {
   it('writes potentials only if they are shown', () => {
     const plan = momentOf(tapeOf(problem, 'potential-field'))
     const texts = (showPotential: boolean) =>
-      elementsOf(pictureAsSvg(sceneOf(problem, { plan, showPotential }))).filter(
+      elementsOf(svgOf(sceneOf(problem, { plan, showPotential }))).filter(
         ({ name }) => name === 'text',
       ).length
     expect(texts(true)).toBe(23 * 17 - obstacles)
@@ -124,7 +143,7 @@ describe('a picture as SVG', () => {
     expect(() => svgCells(striped(MOST_RECTS + 1, 1), MOST_RECTS + 1)).toThrow(InputError)
     const walls = Uint8Array.from({ length: 701 * 701 }, (_, i) => i % 2)
     const grid = { width: 701, height: 701, walls }
-    expect(() => pictureAsSvg(sceneOf({ ...problem, grid, start: 0, goal: 2 }))).toThrow(
+    expect(() => svgOf(sceneOf({ ...problem, grid, start: 0, goal: 2 }))).toThrow(
       'needs more than 200,000 rectangles',
     )
   })
@@ -155,9 +174,9 @@ describe('the rover’s knowledge', () => {
         })
         const other = { ...scene, problem: { ...problem, grid: { ...grid, walls } } }
         expect(pixelsOf(other)).toEqual(pixelsOf(scene))
-        expect(pictureAsSvg(other)).toBe(pictureAsSvg(scene))
+        expect(svgOf(other)).toBe(svgOf(scene))
         const both = { ...scene, sight: 'both' } as const
-        if (pictureAsSvg({ ...other, sight: 'both' }) !== pictureAsSvg(both)) differing++
+        if (svgOf({ ...other, sight: 'both' }) !== svgOf(both)) differing++
       }
     }
     expect(differing).toBeGreaterThan(40)
@@ -170,7 +189,7 @@ describe('the rover’s knowledge', () => {
     for (let time = 0; time <= tape.length; time += 7) {
       const plan = momentOf(tape, time)
       const scene = sceneOf(problem, { plan, sensorRange, sight: 'known' })
-      const byColour = cellsByColour(pictureAsSvg(scene))
+      const byColour = cellsByColour(svgOf(scene))
       const seen = [...problem.grid.walls].filter(
         (_, cell) => knownOf(plan.frame, cell) === 2,
       ).length

@@ -1,6 +1,7 @@
 import { plan } from '../../src/algorithms/plan'
 import type { Problem } from '../../src/grid/problem'
 import { randomNumbers } from '../../src/grid/random'
+import { pictureAsSvg } from '../../src/render/export'
 import type { Scene } from '../../src/render/scene'
 import { themes } from '../../src/render/theme'
 import { frameAt } from '../../src/trace/fold'
@@ -28,6 +29,9 @@ export function sceneOf(problem: Problem, changes: Partial<Scene> = {}): Scene {
     ...changes,
   }
 }
+
+/** The text of its picture. */
+export const svgOf = (scene: Scene): string => pictureAsSvg(scene).content
 
 /** The plan on a tape after `time` events; all of them if nothing is said. */
 export function momentOf(tape: Tape, time = tape.length) {

@@ -1,8 +1,7 @@
 import { type Outcome, type Planner, type Problem, plan, type Tape } from '../../src/index'
-import { posthocTrace } from '../../src/trace/posthoc'
 import { must } from '../reference/cases'
 import { mustBeDrawn } from './posthoc-drawn'
-import { infoOf, type PosthocEvent, type Trace, wayTo } from './posthoc-trace'
+import { infoOf, type PosthocEvent, type Trace, traceText, wayTo } from './posthoc-trace'
 
 /** The trace of a run, with all checked that must hold of every trace. */
 export function checkedTrace(
@@ -12,7 +11,7 @@ export function checkedTrace(
   options: Parameters<typeof plan>[2] = {},
 ): Trace {
   const outcome = plan(problem, planner.id, { ...options, tape })
-  const text = posthocTrace(tape, infoOf(planner, problem))
+  const text = traceText(tape, infoOf(planner, problem))
   const trace: Trace = JSON.parse(text)
   must(trace.version === '1.4.0', () => `version ${trace.version}`)
   mustBeCleanLines(text, trace)

@@ -1,7 +1,6 @@
 import { describe, expect, test } from 'vitest'
 import { EVENT, problemFromText, STATUSES, Tape } from '../../src/index'
-import { posthocTrace } from '../../src/trace/posthoc'
-import type { Trace } from './posthoc-trace'
+import { type Trace, traceText } from './posthoc-trace'
 
 const problem = problemFromText('S..\n.#G', 'only-when-no-obstacles')
 
@@ -27,13 +26,13 @@ function tapeOf(events: readonly Written[]): Tape {
 
 /** The events after source and destination, without the lines of the pseudocode. */
 function written(...events: Written[]): unknown[] {
-  const trace: Trace = JSON.parse(posthocTrace(tapeOf(events), info))
+  const trace: Trace = JSON.parse(traceText(tapeOf(events), info))
   return trace.events.slice(2).map(({ line, ...event }) => event)
 }
 
 describe('the events of a trace', () => {
   test('begin with start and goal, and what the trace is of', () => {
-    const trace: Trace = JSON.parse(posthocTrace(tapeOf([]), info))
+    const trace: Trace = JSON.parse(traceText(tapeOf([]), info))
     expect(trace.events).toEqual([
       {
         type: 'source',
@@ -96,7 +95,7 @@ describe('the events of a trace', () => {
       ['end', 3, STATUSES.indexOf('unreachable')],
     ])
     tape.diagonalCost = 1.25
-    const trace: Trace = JSON.parse(posthocTrace(tape, info))
+    const trace: Trace = JSON.parse(traceText(tape, info))
     const [start, west, below] = [
       { id: '0,0', x: 0, y: 0, g: 0 },
       { id: '1,0', pId: '0,0', x: 1, y: 0, g: 1 },
@@ -125,6 +124,7 @@ describe('the events of a trace', () => {
         ['test', 2, 4, 1],
         ['vertex', 2],
         ['edge', 2, 0, 2.5],
+        ['cut', 2, -1, 1],
         ['refuse', 2, 3, 4],
         ['refuse', 5, 1, -1],
         ['attraction', 1, -1, 4],
@@ -137,6 +137,7 @@ describe('the events of a trace', () => {
       { type: 'test', id: '2,0', x: 2, y: 0, obstacleX: 1, obstacleY: 1, corner: true },
       { type: 'vertex', id: '2,0', x: 2, y: 0 },
       { type: 'edge', id: '2,0-0,0', pId: '2,0', x: 2, y: 0, toX: 0, toY: 0, weight: 2.5 },
+      { type: 'cut', id: 'cut', edges: 1 },
       { type: 'refuse', id: '2,0-0,1', pId: '2,0', x: 2, y: 0, toX: 0, toY: 1, atX: 1, atY: 1 },
       { type: 'refuse', id: '2,1-1,0', pId: '2,1', x: 2, y: 1, toX: 1, toY: 0 },
       { type: 'attraction', id: '1,0', x: 1, y: 0, value: 4 },
@@ -216,7 +217,7 @@ describe('the events of a trace', () => {
       ['open', 0],
       ['open', 1, 0, 1],
     ])
-    const { events }: Trace = JSON.parse(posthocTrace(tape, info))
+    const { events }: Trace = JSON.parse(traceText(tape, info))
     expect(events.map(({ line }) => line)).toEqual([undefined, undefined, 1, 2])
   })
 })

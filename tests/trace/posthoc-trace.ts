@@ -1,4 +1,5 @@
-import type { Planner, Problem } from '../../src/index'
+import type { Planner, Problem, Tape } from '../../src/index'
+import { type PosthocInfo, posthocTrace } from '../../src/trace/posthoc'
 
 /** An event of a trace, as Posthoc reads it. */
 export interface PosthocEvent {
@@ -28,6 +29,9 @@ export const infoOf = ({ id, title, phases, variables }: Planner, problem: Probl
   problem,
   mapFile: 'some.map',
 })
+
+export const traceText = (tape: Tape, info: PosthocInfo, most = 2e8): string =>
+  [...posthocTrace(tape, info, { most })].join('')
 
 /** From an event back to the root: the latest parent of its `id`, then the latest event of that. */
 export function wayTo({ events }: Trace, index: number): PosthocEvent[] {

@@ -2,12 +2,14 @@ import { describe, expect, test, vi } from 'vitest'
 import { maps } from '../../src/app/scenarios/scenario-maps'
 import { EVENT, InputError, planners, problemFromText, Tape } from '../../src/index'
 import { posthocTrace } from '../../src/trace/posthoc'
-import { leastLength } from '../../src/trace/posthoc-length'
 import { PosthocLines } from '../../src/trace/posthoc-lines'
 import { checkedTrace } from './posthoc-checks'
-import { infoOf, type Trace, wayTo } from './posthoc-trace'
+import { infoOf, type Trace, traceText, wayTo } from './posthoc-trace'
 
 const info = infoOf(planners[0], problemFromText('S..\n.#G'))
+
+const between = (text: string, before: string, after: string): string =>
+  text.slice(text.indexOf(before) + before.length, text.lastIndexOf(after))
 
 describe('a tape that is too long', () => {
   const tape = new Tape()
@@ -15,10 +17,10 @@ describe('a tape that is too long', () => {
   for (let i = 0; i < 300_000; i++) tape.write(EVENT.open, i % 6, (i + 1) % 6, i)
 
   test('is refused in words', () => {
-    const save = () => posthocTrace(tape, info, 2_000_000)
+    const save = () => traceText(tape, info, 2_000_000)
     expect(save).toThrow(InputError)
     expect(save).toThrow('too long for a file: more than 2 million characters')
-    expect(() => posthocTrace(new Tape(), info, 10)).toThrow(InputError)
+    expect(() => traceText(new Tape(), info, 10)).toThrow(InputError)
   })
 
   test('is refused before it is written, if that can be told from its events', () => {
@@ -26,16 +28,22 @@ describe('a tape that is too long', () => {
     closing.begin(3, 2)
     for (let i = 0; i < 20_000; i++) closing.write(EVENT.close, i % 6, 0, 0)
     const begin = vi.spyOn(PosthocLines.prototype, 'begin')
-    expect(() => posthocTrace(closing, info, 2_000_000)).toThrow('more than 2 million characters')
+    expect(() => traceText(closing, info, 2_000_000)).toThrow('more than 2 million characters')
     expect(begin).not.toHaveBeenCalled()
-    posthocTrace(closing, info, 4_000_000)
+    traceText(closing, info, 4_000_000)
     expect(begin).toHaveBeenCalled()
     begin.mockRestore()
   })
 
-  test('else all of it is in the trace', () => {
-    const { events }: Trace = JSON.parse(posthocTrace(tape, info))
+  test('else all of it is in the trace, in parts that are soon made', () => {
+    const told: number[] = []
+    const parts = [...posthocTrace(tape, info, { progress: (done) => told.push(done) })]
+    const { events }: Trace = JSON.parse(parts.join(''))
     expect(events).toHaveLength(300_002)
+    expect(Math.max(...parts.map(({ length }) => length))).toBeLessThan(150_000)
+    expect(told.length).toBeGreaterThan(200)
+    expect(told).toEqual(told.toSorted((a, b) => a - b))
+    expect(told.every((done) => done > 0 && done < 1)).toBe(true)
   })
 })
 
@@ -48,7 +56,7 @@ test('numbers stay what they are, however large; potentials are coloured up to t
   })
   tape.write(EVENT.potential, 3, -1, 700.5)
   tape.write(EVENT.potential, 4, -1, Number.POSITIVE_INFINITY)
-  const { events, views }: Trace = JSON.parse(posthocTrace(tape, info))
+  const { events, views }: Trace = JSON.parse(traceText(tape, info))
   const told = events.filter(({ type }) => type === 'attraction').map(({ value }) => value)
   expect(told).toEqual([...values.slice(0, -1), 'infinite'])
   expect(JSON.stringify(views)).toContain('$.value / 700.5)')
@@ -63,9 +71,10 @@ describe('figures of the report', () => {
     const tape = new Tape()
     const problem = problemFromText(text)
     checkedTrace(problem, planner, tape)
-    const trace = posthocTrace(tape, infoOf(planner, problem))
-    const events = trace.slice(trace.indexOf('"events":'))
-    expect(leastLength(tape)).toBeLessThanOrEqual(events.length)
+    const trace = traceText(tape, infoOf(planner, problem))
+    const { length } = between(trace, '"events":[\n', '\n],\n"views":')
+    expect(traceText(tape, infoOf(planner, problem), length)).toBe(trace)
+    expect(() => traceText(tape, infoOf(planner, problem), length - 1)).toThrow(InputError)
   })
 
   test('the way back to the start of a search is its path', () => {
@@ -77,6 +86,6 @@ describe('figures of the report', () => {
     const back = wayTo(trace, trace.events.length - 1).map(({ x, y }) => [x, y])
     expect(path.length).toBeGreaterThan(10)
     expect(back.reverse()).toEqual(path)
-    expect(posthocTrace(tape, infoOf(decomposition, map))).toMatch(/^\{\n"version":"1\.4\.0",\n/)
+    expect(traceText(tape, infoOf(decomposition, map))).toMatch(/^\{\n"version":"1\.4\.0",\n/)
   })
 })

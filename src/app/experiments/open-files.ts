@@ -1,4 +1,4 @@
-import { openResults } from '../../experiments/open-results'
+import { openingResults } from '../../experiments/open-results'
 import { RESULTS_FORMAT } from '../../experiments/results'
 import type { GivenMap } from '../../experiments/settings'
 import { readSettings } from '../../experiments/settings-check'
@@ -6,7 +6,9 @@ import { InputError, messageOf } from '../../grid/errors'
 import { openMap } from '../../grid/formats/open-map'
 import { gridToRows } from '../../grid/text-map'
 import { byId } from '../element'
-import { onFileDropped } from '../files/drop-zone'
+import { onFileChosen } from '../files/chosen-file'
+import { inSlices } from '../files/in-slices'
+import { showWork } from '../files/shown-work'
 import { tell } from '../state/messages'
 import type { Store } from '../state/store'
 import type { PageState } from './state'
@@ -15,21 +17,37 @@ import { addMaps, openSettings, showResults } from './transitions'
 /** No more than a text of a browser can hold. */
 const MOST_BYTES = 400 * 2 ** 20
 
-/** What a file of settings or of results changes. */
-export function openText(state: PageState, text: string): PageState {
+/** What a file of settings or of results changes. It yields what share of it is read. */
+export function* openingText(
+  text: string,
+): Generator<number, (state: PageState) => PageState, void> {
   const isResults = text.startsWith('#') || text.slice(0, 200).includes(RESULTS_FORMAT)
-  if (!isResults) return openSettings(state, readSettings(text))
-  const results = openResults(text)
-  return showResults(openSettings(state, results.settings), results)
+  if (!isResults) {
+    const settings = readSettings(text)
+    return (state) => openSettings(state, settings)
+  }
+  const results = yield* openingResults(text)
+  return (state) => showResults(openSettings(state, results.settings), results)
 }
 
-/** Opens settings or results. If that fails, a message says why, and all stays as it was. */
-async function openFile(store: Store<PageState>, file: File): Promise<void> {
+/**
+ * Opens settings or results. If that fails, a message says why, and all stays as it was.
+ * @param isWanted whether no other file was asked for while this one was read
+ */
+async function openFile(
+  store: Store<PageState>,
+  file: File,
+  isWanted: () => boolean,
+): Promise<void> {
   try {
-    const text = await textOf(file)
-    store.update((state) => tell(openText(state, text), 'note', `Opened ${file.name}.`))
+    const open = await showWork(store, `Opening ${file.name}…`, async ({ progress, signal }) => {
+      const opening = openingText(await textOf(file))
+      return inSlices(opening, (shares) => progress(shares.at(-1) ?? 1), signal)
+    })
+    if (!open || !isWanted()) return
+    store.update((state) => tell(open(state), 'note', `Opened ${file.name}.`))
   } catch (error) {
-    refuse(store, file, error)
+    if (isWanted()) refuse(store, file, error)
   }
 }
 
@@ -60,19 +78,11 @@ function refuse(store: Store<PageState>, file: File, error: unknown): void {
 
 /** Binds the two file inputs, and dropping a file of settings or results anywhere. */
 export function bindFiles(store: Store<PageState>): { open(): void; openMaps(): void } {
-  const input = byId('file', HTMLInputElement)
   const mapInput = byId('map-files', HTMLInputElement)
-  const zone = byId('drop-zone', HTMLDivElement)
-  input.addEventListener('change', () => {
-    const file = input.files?.[0]
-    if (file) void openFile(store, file)
-    // The same file can be chosen again.
-    input.value = ''
-  })
   mapInput.addEventListener('change', () => {
     void openMaps(store, [...(mapInput.files ?? [])])
     mapInput.value = ''
   })
-  onFileDropped(zone, (file) => void openFile(store, file))
-  return { open: () => input.click(), openMaps: () => mapInput.click() }
+  const open = onFileChosen(store, (file, isWanted) => void openFile(store, file, isWanted))
+  return { open, openMaps: () => mapInput.click() }
 }

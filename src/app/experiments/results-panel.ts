@@ -1,11 +1,12 @@
 import type { Mark } from '../../charts/chart'
 import type { ThemeName } from '../../charts/style'
-import { resultsToCsv } from '../../experiments/results-csv'
-import { resultsToJson } from '../../experiments/results-json'
+import { csvInParts } from '../../experiments/results-csv'
+import { jsonInParts } from '../../experiments/results-json'
 import { messageOf } from '../../grid/errors'
 import { byId, setText } from '../element'
 import { fetchedPart } from '../fetched-part'
-import { download } from '../files/download'
+import { blobInSlices } from '../files/in-slices'
+import { saveFiles } from '../files/save-files'
 import { tell } from '../state/messages'
 import type { Store } from '../state/store'
 import { countInWords, numberInWords } from '../words/numbers'
@@ -86,19 +87,16 @@ function lazyCharts(store: Store<PageState>, opened: (shown: Shown, mark: Mark) 
 }
 
 function bindDownloads(store: Store<PageState>): void {
-  const save = (id: string, type: string, ending: string, textOf: typeof resultsToCsv) => {
+  const save = (id: string, ending: string, inParts: typeof csvInParts) => {
     byId(id, HTMLButtonElement).addEventListener('click', () => {
       const { shown } = store.state
       if (!shown) return
-      try {
-        download(textOf(shown.results), type, `path-planner-results.${ending}`)
-      } catch (error) {
-        store.update((state) =>
-          tell(state, 'error', `The rows could not be saved. ${messageOf(error)}`),
-        )
-      }
+      const name = `path-planner-results.${ending}`
+      void saveFiles(store, async ({ progress, signal }) => [
+        { name, content: await blobInSlices(inParts(shown.results, progress), signal) },
+      ])
     })
   }
-  save('save-csv', 'text/csv', 'csv', resultsToCsv)
-  save('save-json', 'application/json', 'json', resultsToJson)
+  save('save-csv', 'csv', csvInParts)
+  save('save-json', 'json', jsonInParts)
 }

@@ -1,7 +1,6 @@
 /** Hands a text or a picture to the browser as a file to download. */
 export function download(content: string | Blob, type: string, name: string): void {
-  const blob = typeof content === 'string' ? new Blob([content], { type }) : content
-  const url = URL.createObjectURL(blob)
+  const url = URL.createObjectURL(new Blob([content], { type }))
   const link = document.createElement('a')
   link.href = url
   link.download = name

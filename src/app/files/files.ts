@@ -1,13 +1,12 @@
 import { InputError, messageOf } from '../../grid/errors'
 import type { Problem } from '../../grid/problem'
-import { byId } from '../element'
 import { fetchedPart } from '../fetched-part'
 import { tell } from '../state/messages'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
 import { changeMap } from '../state/transitions'
 import { DIAGONAL_RULE_WORDS } from '../words/diagonal-rules'
-import { onFileDropped } from './drop-zone'
+import { onFileChosen } from './chosen-file'
 
 /** More than any map needs; a larger file is not even read. */
 const MOST_BYTES = 64 * 2 ** 20
@@ -48,21 +47,6 @@ function ruleNote({ setup }: State, { diagonal }: Problem): string[] {
   return [`Diagonal steps are now: ${DIAGONAL_RULE_WORDS[diagonal].title}.`]
 }
 
-/** Binds the file input and dropping a file anywhere on the page; returns what asks for a file. */
-export function bindFiles(store: Store<State>): () => void {
-  const input = byId('file', HTMLInputElement)
-  const zone = byId('drop-zone', HTMLDivElement)
-  let latest: File | null = null
-  const open = (file: File | undefined) => {
-    if (!file) return
-    latest = file
-    void openFile(store, file, () => file === latest)
-  }
-  input.addEventListener('change', () => {
-    open(input.files?.[0])
-    // The same file can be chosen again.
-    input.value = ''
-  })
-  onFileDropped(zone, open)
-  return () => input.click()
-}
+/** Binds the page's file input and dropping a file on the page; returns what asks for a file. */
+export const bindFiles = (store: Store<State>): (() => void) =>
+  onFileChosen(store, (file, isWanted) => void openFile(store, file, isWanted))

@@ -1,20 +1,15 @@
-import { messageOf } from '../../grid/errors'
 import type { Grid } from '../../grid/grid'
 import type { Problem } from '../../grid/problem'
 import type { Scene } from '../../render/scene'
 import { fetchedPart } from '../fetched-part'
-import { tell } from '../state/messages'
 import { plannerOf } from '../state/setup'
 import { type State, visiblePlan } from '../state/state'
 import type { Store } from '../state/store'
 import { say } from '../state/transitions'
-import { download } from './download'
-
-/** A file as it is handed to the browser. */
-interface Saved {
-  readonly name: string
-  readonly content: string | Blob
-}
+import { leftOut } from '../words/thinning'
+import { blobInSlices } from './in-slices'
+import { type Saved, saveFiles } from './save-files'
+import type { ShownWork } from './shown-work'
 
 /** The map's name without an ending, the same for all files that belong together. */
 const nameOf = ({ width, height }: Grid): string => `path-planner-${width}x${height}`
@@ -30,7 +25,7 @@ async function mapFile({ grid }: Problem): Promise<Saved> {
 }
 
 /** The trace of the plan on screen, and the map that it opens upon. */
-async function traceFiles(state: State): Promise<Saved[]> {
+async function traceFiles(state: State, { progress, signal }: ShownWork): Promise<Saved[]> {
   const shown = visiblePlan(state)
   if (!shown) throw new Error('There is no plan on screen.')
   const { posthocTrace } = await fetchedPart(import('../../trace/posthoc'))
@@ -40,30 +35,27 @@ async function traceFiles(state: State): Promise<Saved[]> {
   const map = await mapFile(problem)
   const info = { plannerId: id, title, phases, variables, problem, mapFile: map.name }
   const name = `${nameOf(problem.grid)}-${id}.trace.json`
-  return [{ name, content: posthocTrace(tape, info) }, map]
+  const content = await blobInSlices(posthocTrace(tape, info, { progress }), signal)
+  return [{ name, content, missing: leftOut(tape.thinning).words }, map]
 }
+
+const TOO_MANY = 'The picture leaves out vertices or edges, because they are too many.'
 
 async function pictureFile({ setup }: State, scene: Scene, kind: 'png' | 'svg'): Promise<Saved> {
   const { pictureAsPng, pictureAsSvg } = await fetchedPart(import('../../render/export'))
   const name = `${nameOf(setup.problem.grid)}-${setup.plannerId}.${kind}`
   const asMap = { ...scene, cursor: -1, hovered: -1 }
-  const content = kind === 'png' ? await pictureAsPng(asMap) : pictureAsSvg(asMap)
-  return { name, content }
+  const picture = kind === 'png' ? await pictureAsPng(asMap) : pictureAsSvg(asMap)
+  return { name, content: picture.content, missing: picture.isCrowded ? TOO_MANY : '' }
 }
 
-/** What saves, by the name of the menu's entry. If it fails, a message says why. */
+/** What saves, by the name of the menu's entry. */
 export function savers(store: Store<State>, sceneNow: () => Scene) {
-  const save = (files: (state: State) => Promise<readonly Saved[]>) => () => {
-    void files(store.state).then(
-      (saved) => {
-        for (const { name, content } of saved) download(content, typeOf(name), name)
-        const names = saved.map(({ name }) => name).join(' and ')
-        store.update((state) => say(state, `Saved as ${names}.`))
-      },
-      (error: unknown) => {
-        store.update((state) => tell(state, 'error', `Nothing was saved. ${messageOf(error)}`))
-      },
-    )
+  const save = (make: (state: State, work: ShownWork) => Promise<readonly Saved[]>) => async () => {
+    const saved = await saveFiles(store, (work) => make(store.state, work))
+    if (saved.length === 0) return
+    const names = saved.map(({ name }) => name).join(' and ')
+    store.update((state) => say(state, `Saved as ${names}.`))
   }
   return {
     save: save(async (state) => [await projectFile(state)]),
@@ -73,11 +65,3 @@ export function savers(store: Store<State>, sceneNow: () => Scene) {
     'save-svg': save(async (state) => [await pictureFile(state, sceneNow(), 'svg')]),
   }
 }
-
-const TYPES: Readonly<Record<string, string>> = {
-  json: 'application/json',
-  map: 'text/plain',
-  svg: 'image/svg+xml',
-}
-
-const typeOf = (name: string): string => TYPES[name.slice(name.lastIndexOf('.') + 1)] ?? ''

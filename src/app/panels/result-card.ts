@@ -6,6 +6,7 @@ import type { State } from '../state/state'
 import { PATH_HIDDEN } from '../state/transitions'
 import type { NumberRow } from '../words/numbers'
 import { outcomeInWords, outcomeNumbers, reasonInWords, toneOf } from '../words/outcome-in-words'
+import { showProgress } from './progress'
 import { showRows } from './rows'
 
 interface Report {
@@ -18,7 +19,7 @@ interface Report {
 const NO_ROWS: readonly NumberRow[] = []
 
 /** What the result card says of a state. */
-export function reportOf({ run, shown, pathHidden, setup }: State): Report {
+export function reportOf({ run, shown, clearPath, setup }: State): Report {
   const title = plannerOf(setup).title
   if (run.kind === 'running' && (run.slow || !shown)) {
     const detail = `${title} is working.`
@@ -32,7 +33,7 @@ export function reportOf({ run, shown, pathHidden, setup }: State): Report {
     return { tone: 'bad', words: 'No plan', detail: run.message, rows: NO_ROWS }
   }
   if (!shown) return { tone: 'busy', words: 'No plan yet', detail: '', rows: NO_ROWS }
-  if (pathHidden) {
+  if (clearPath === 'done') {
     return { tone: 'clear-path', words: 'Path cleared', detail: PATH_HIDDEN, rows: NO_ROWS }
   }
   const { outcome, milliseconds } = shown
@@ -72,23 +73,10 @@ export function resultCard(planning: Planning): (state: State) => void {
     setText(detail, report.detail)
     detail.hidden = report.detail === ''
     progress.hidden = !isSlow
-    if (run.kind === 'running') {
-      showProgress(bar, run.done)
-    }
+    if (run.kind === 'running') showProgress(bar, run.done)
     again.hidden = run.kind !== 'cancelled' && run.kind !== 'failed'
     // The button that was pressed goes, and the focus would go with it.
     if (focused && !isSeen(focused)) [again, cancel, fold].find(isSeen)?.focus()
     showRows(table, report.rows)
   }
-}
-
-/** A planner that has not said yet how far it is gets a bar that only moves. */
-function showProgress(bar: HTMLElement | null, done: number): void {
-  const filling = bar?.firstElementChild
-  if (!bar || !(filling instanceof HTMLElement)) return
-  const percent = Math.round(done * 100)
-  filling.className = percent > 0 ? 'determinate' : 'indeterminate'
-  filling.style.width = percent > 0 ? `${percent}%` : ''
-  if (percent > 0) bar.setAttribute('aria-valuenow', String(percent))
-  else bar.removeAttribute('aria-valuenow')
 }

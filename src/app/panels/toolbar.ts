@@ -22,10 +22,11 @@ export function toolbar(store: Store<State>, openHelp: () => void): (state: Stat
   )
   byId('help', HTMLButtonElement).addEventListener('click', openHelp)
 
-  return ({ history, setup, committed, pathHidden, clearPathUndone, preferences }) => {
+  return ({ history, setup, committed, clearPath, preferences }) => {
     // `aria-disabled` keeps the focus where it is when the last step was undone.
-    setDisabled(undoButton, history.past.length === 0 && setup === committed && !pathHidden)
-    setDisabled(redoButton, history.future.length === 0 && !clearPathUndone)
+    const canUndo = history.past.length > 0 || setup !== committed || clearPath === 'done'
+    setDisabled(undoButton, !canUndo)
+    setDisabled(redoButton, history.future.length === 0 && clearPath !== 'undone')
     showTheme(preferences.theme)
   }
 }

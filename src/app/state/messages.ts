@@ -1,7 +1,10 @@
 export interface Message {
   readonly id: number
-  readonly kind: 'error' | 'note'
+  /** Work is cancelled by closing its message. */
+  readonly kind: 'error' | 'note' | 'work'
   readonly text: string
+  /** How much of work is done, from 0 to 1, in steps of a hundredth. */
+  readonly done?: number
 }
 
 /** The part of a page's state that its messages are in. */
@@ -23,6 +26,20 @@ export function tell<State extends WithMessages>(
   const others = state.messages.filter((message) => message.text !== text)
   const messages = [...others, { id, kind, text }].slice(-MOST_MESSAGES)
   return { ...state, messages, messagesTold: id }
+}
+
+export function workProgressed<State extends WithMessages>(
+  state: State,
+  id: number,
+  done: number,
+): State {
+  const rounded = Math.round(100 * done) / 100
+  const message = state.messages.find((other) => other.id === id)
+  if (!message || message.done === rounded) return state
+  const messages = state.messages.map((other) =>
+    other === message ? { ...message, done: rounded } : other,
+  )
+  return { ...state, messages }
 }
 
 export const dismiss = <State extends WithMessages>(state: State, id: number): State => ({

@@ -52,10 +52,8 @@ export interface State extends WithMessages {
   readonly history: History
   readonly shown: Shown | null
   readonly run: Run
-  /** "Clear path": no plan is drawn until the next edit. */
-  readonly pathHidden: boolean
-  /** "Clear path" was undone just now: the next redo does it again. */
-  readonly clearPathUndone: boolean
+  /** Until the next edit: `done`, no plan is drawn; `undone`, the next redo does it again. */
+  readonly clearPath: 'no' | 'done' | 'undone'
   /** How many events of the plan have happened, or `THE_END`. */
   readonly time: number
   /** How the plan is being played; `null` while it is not. */
@@ -89,8 +87,7 @@ export function initialState(setup: Setup, preferences: Preferences): State {
     history: emptyHistory,
     shown: null,
     run: { kind: 'settled' },
-    pathHidden: false,
-    clearPathUndone: false,
+    clearPath: 'no',
     time: THE_END,
     playing: null,
     kept: null,
@@ -116,8 +113,9 @@ export function isSettled({ run, shown, setup }: State): boolean {
 }
 
 /** The plan to be drawn: an older one too, as long as it lies on a map of this size. */
-export function visiblePlan({ shown, run, pathHidden, setup }: State): Shown | null {
-  if (!shown || pathHidden || run.kind === 'cancelled' || run.kind === 'failed') return null
+export function visiblePlan({ shown, run, clearPath, setup }: State): Shown | null {
+  if (!shown || clearPath === 'done') return null
+  if (run.kind === 'cancelled' || run.kind === 'failed') return null
   if (run.kind === 'running' && run.slow) return null
   return isSameSize(shown.tape, setup.problem.grid) ? shown : null
 }

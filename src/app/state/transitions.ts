@@ -16,7 +16,7 @@ import { type Shown, type State, THE_END } from './state'
 export function edit(state: State, setup: Setup): State {
   if (setup === state.setup) return state
   const { grid, start } = setup.problem
-  const edited = { ...endWelcome(state), setup, pathHidden: false, clearPathUndone: false }
+  const edited = { ...endWelcome(state), setup, clearPath: 'no' as const }
   if (isSameSize(grid, state.setup.problem.grid)) return edited
   return fitToRoom({ ...edited, cursor: start, cursorShown: false, hovered: -1 })
 }
@@ -71,15 +71,14 @@ export function changeMap(state: State, setup: Setup, text: string): State {
 }
 
 export function undo(state: State): State {
-  if (state.pathHidden) {
-    const shownAgain = { ...state, pathHidden: false, clearPathUndone: true }
-    return say(shownAgain, 'The path is shown again.')
+  if (state.clearPath === 'done') {
+    return say({ ...state, clearPath: 'undone' }, 'The path is shown again.')
   }
   return travel(state, history.undo, { done: 'Undone.', nothing: 'Nothing to undo.' })
 }
 
 export function redo(state: State): State {
-  if (state.clearPathUndone) return hidePath(state)
+  if (state.clearPath === 'undone') return hidePath(state)
   return travel(state, history.redo, { done: 'Redone.', nothing: 'Nothing to redo.' })
 }
 
@@ -132,7 +131,7 @@ export const planCancelled = (state: State): State => ({ ...state, run: { kind: 
 export const PATH_HIDDEN = 'The path is hidden until the next change; undo shows it again.'
 
 export const hidePath = (state: State): State =>
-  say({ ...state, pathHidden: true, clearPathUndone: false, playing: null }, PATH_HIDDEN)
+  say({ ...state, clearPath: 'done', playing: null }, PATH_HIDDEN)
 
 export const look = (state: State, view: View): State => ({ ...state, view, fitted: false })
 

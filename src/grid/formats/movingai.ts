@@ -10,7 +10,7 @@ import { gridToRows } from '../text-map'
  * Source: N. R. Sturtevant, "Benchmarks for grid-based pathfinding", 2012.
  */
 export function movingAiMap(grid: Grid): string {
-  const rows = gridToRows(grid).map((row) => row.replaceAll('#', '@'))
+  const rows = gridToRows(grid, '@')
   return `type octile\nheight ${grid.height}\nwidth ${grid.width}\nmap\n${rows.join('\n')}\n`
 }
 

@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest'
 import { plan } from '../../../src/algorithms/plan'
-import { openText } from '../../../src/app/experiments/open-files'
 import { addressOf } from '../../../src/app/experiments/open-in-playground'
 import { mapInWords, runInWords } from '../../../src/app/experiments/run-words'
 import { sortSummary, summarize } from '../../../src/app/experiments/summary-table'
@@ -10,7 +9,7 @@ import { setupInLink } from '../../../src/app/storage/link'
 import { resultsToCsv } from '../../../src/experiments/results-csv'
 import { resultsToJson, resultsToLines } from '../../../src/experiments/results-json'
 import { saveSettings } from '../../../src/experiments/settings-check'
-import { results, rows, settings, state } from './small-experiment'
+import { openText, results, rows, settings, state } from './small-experiment'
 
 describe('a run opened in the playground', () => {
   it('ends as its row says, on generated and on opened maps', () => {

@@ -1,5 +1,4 @@
 import { describe, expect, it } from 'vitest'
-import { openText } from '../../../src/app/experiments/open-files'
 import { presets } from '../../../src/app/experiments/presets'
 import {
   addEntry,
@@ -15,7 +14,7 @@ import {
 import { resultsToLines } from '../../../src/experiments/results-json'
 import { countWork } from '../../../src/experiments/settings'
 import { WHOLE } from '../../../src/experiments/shards'
-import { results, rows, settings, state } from './small-experiment'
+import { openText, results, rows, settings, state } from './small-experiment'
 
 describe('the state of the page', () => {
   it('begins with settings that can be run', () => {

@@ -189,7 +189,7 @@ describe('a plan', () => {
     expect(visiblePlan(hidden)).toBeNull()
     expect(visiblePlan(undo(hidden))).toBe(shown)
     const edited = change(shownAgain, moved(shownAgain, 9), 'Moved.')
-    expect(redo(edited).pathHidden).toBe(false)
+    expect(redo(edited).clearPath).toBe('no')
   })
 })
 

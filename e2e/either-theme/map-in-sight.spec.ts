@@ -1,8 +1,7 @@
 import type { Page } from '@playwright/test'
-import { expectAccessible } from '../accessibility'
 import { expect, test } from '../fixtures'
-import type { MapOnScreen } from '../map-on-screen'
-import { drawn, expectStep, openScenario, press, reasons, scrubber, stepsInAll } from '../steps'
+import { hiddenParts } from '../hidden-parts'
+import { drawn, expectStep, openScenario, press, scrubber, stepsInAll } from '../steps'
 
 const SCENARIOS = [
   'Fig. 5: Around two obstacles',
@@ -11,29 +10,6 @@ const SCENARIOS = [
   'Path Planner in letters',
 ]
 const FOLDS = ['planner card', 'result card', 'card of steps']
-
-/** What of the map lies under which card or bar; empty if all of it can be seen. */
-async function hiddenParts(page: Page, map: MapOnScreen): Promise<string[]> {
-  const { left, top, scale, width, height } = await map.view()
-  const [right, bottom] = [left + width * scale, top + height * scale]
-  const covers = await page.getByRole('main').evaluate((main) =>
-    Array.from(main.querySelectorAll('section, #hint'), (cover) => {
-      const { left, top, right, bottom } = cover.getBoundingClientRect()
-      const name = cover.getAttribute('aria-label') ?? cover.id
-      return { name, left, top, right, bottom, isThere: right > left && bottom > top }
-    }),
-  )
-  expect(covers.filter(({ isThere }) => isThere).length).toBeGreaterThanOrEqual(5)
-  const hidden = covers.flatMap((cover) => {
-    const across = Math.min(right, cover.right) - Math.max(left, cover.left)
-    const down = Math.min(bottom, cover.bottom) - Math.max(top, cover.top)
-    const isOver = cover.isThere && across > 0.5 && down > 0.5
-    return isOver ? [`${Math.round(across)} × ${Math.round(down)} under "${cover.name}"`] : []
-  })
-  const screen = await page.evaluate(() => ({ width: innerWidth, height: innerHeight }))
-  const isInside = left >= 0 && top >= 0 && right <= screen.width && bottom <= screen.height
-  return isInside ? hidden : [...hidden, 'beside the screen']
-}
 
 const fold = (page: Page, card: string) => page.getByRole('button', { name: `Fold the ${card}` })
 
@@ -67,20 +43,6 @@ test('whatever card is open, the map moves out of its way', async ({ map, page }
   }
   await fold(page, FOLDS[0]).click()
   await expect.poll(() => hiddenParts(page, map)).toEqual([])
-})
-
-test('axe finds nothing in the steps, whichever card is open', async ({ page }) => {
-  await openScenario(page, 'Fig. 12: The spiral, Bug2')
-  await press(page, 'ArrowLeft')
-  await page.getByRole('application').focus()
-  await press(page, 'ArrowDown', 2)
-  for (const card of FOLDS) {
-    const isOpen = (await fold(page, card).getAttribute('aria-expanded')) === 'true'
-    if (!isOpen) await fold(page, card).click()
-    if (!isOpen || card === 'card of steps') await expectAccessible(page)
-  }
-  await expect(reasons(page).getByRole('button', { name: /: step \d+/ })).toBeVisible()
-  await expect(page.getByRole('list', { name: 'Pseudocode' })).toBeVisible()
 })
 
 test('the map is as large when its plan comes late', async ({ map, page }) => {

@@ -1,0 +1,38 @@
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { dirname } from 'node:path'
+import { InputError } from '../grid/errors'
+
+/**
+ * Does work that writes to a file, and keeps other runs from writing to it meanwhile. The file beside
+ * it that says so names this process: it counts no more when that was killed and left it behind. A
+ * folder that is missing is made.
+ * @throws InputError if another run writes to the file
+ */
+export async function whileLocked(path: string, work: () => Promise<void>): Promise<void> {
+  const lock = `${path}.lock`
+  if (existsSync(lock)) {
+    const owner = Number(readFileSync(lock, 'utf8'))
+    if (isRunning(owner)) {
+      throw new InputError(
+        `Another run, process ${owner}, writes to ${path}. If that is not so, delete ${lock}.`,
+      )
+    }
+    rmSync(lock)
+  }
+  mkdirSync(dirname(path), { recursive: true })
+  writeFileSync(lock, String(process.pid), { flag: 'wx' })
+  try {
+    await work()
+  } finally {
+    rmSync(lock)
+  }
+}
+
+function isRunning(id: number): boolean {
+  try {
+    return process.kill(id, 0)
+  } catch (error) {
+    // Another user's process may not be signalled.
+    return error instanceof Error && 'code' in error && error.code === 'EPERM'
+  }
+}

@@ -1,0 +1,21 @@
+import type { Row } from './row'
+
+/** So many rows are written within a fraction of a frame. */
+const ROWS_AT_ONCE = 64
+
+/**
+ * The texts of rows, many of them at a time, for files that take long to be written.
+ * @param progress is told what share of the rows is written, from 0 to 1
+ */
+export function* inParts(
+  rows: readonly Row[],
+  textOf: (row: Row) => string,
+  between: string,
+  progress: ((done: number) => void) | undefined,
+): Generator<string, void, void> {
+  for (let i = 0; i < rows.length; i += ROWS_AT_ONCE) {
+    progress?.(i / rows.length)
+    const texts = rows.slice(i, i + ROWS_AT_ONCE).map(textOf)
+    yield (i > 0 ? between : '') + texts.join(between)
+  }
+}
