@@ -5,7 +5,7 @@ import { bindKeys } from './bind-keys'
 import { bindPointer } from './bind-pointer'
 import { Hand } from './hand'
 
-/** Binds pointers, wheel and keys to the map: all that listens to the map is here. */
+/** Binds all that listens to the map: pointers and the wheel, keys, and the focus that shows its cursor. */
 export function bindInput(host: HTMLElement, store: Store<State>, openHelp: () => void): void {
   const hand = new Hand(store)
   host.tabIndex = 0
