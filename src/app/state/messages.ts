@@ -16,7 +16,7 @@ export interface WithMessages {
 
 const MOST_MESSAGES = 3
 
-/** Shows a message; one with the same text gives way to it. */
+/** Shows a message; one with the same text gives way to it, or else the oldest if they are too many. */
 export function tell<State extends WithMessages>(
   state: State,
   kind: Message['kind'],
@@ -24,8 +24,10 @@ export function tell<State extends WithMessages>(
 ): State {
   const id = state.messagesTold + 1
   const others = state.messages.filter((message) => message.text !== text)
-  const messages = [...others, { id, kind, text }].slice(-MOST_MESSAGES)
-  return { ...state, messages, messagesTold: id }
+  // Work would be cancelled with its message.
+  const oldest = others.findIndex((message) => message.kind !== 'work')
+  if (others.length >= MOST_MESSAGES && oldest >= 0) others.splice(oldest, 1)
+  return { ...state, messages: [...others, { id, kind, text }], messagesTold: id }
 }
 
 export function workProgressed<State extends WithMessages>(

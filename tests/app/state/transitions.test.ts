@@ -221,6 +221,12 @@ describe('messages', () => {
     expect(dismiss(state, ids[1]).messages.map((message) => message.text)).toEqual(['a', 'd'])
   })
 
+  it('of work stay as long as it lasts, however many come', () => {
+    const working = tell(begin, 'work', 'Saving…')
+    const state = ['a', 'b', 'c', 'd'].reduce((state, text) => tell(state, 'note', text), working)
+    expect(state.messages.map((message) => message.text)).toEqual(['Saving…', 'c', 'd'])
+  })
+
   it('never have the id of one that is gone', () => {
     const first = tell(begin, 'note', 'a')
     const [{ id }] = first.messages
