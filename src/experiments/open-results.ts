@@ -18,9 +18,12 @@ export function openResults(text: string): Results {
 /** The same with rests: it yields what share of the rows is read, from 0 to 1. */
 export function* openingResults(text: string): Generator<number, Results, void> {
   const content = fileText(text)
-  if (content.startsWith('#')) return yield* resultsFromCsv(content)
+  if (isTable(content)) return yield* resultsFromCsv(content)
   return yield* beginsWithOrigin(content) ? resultsFromLines(content) : resultsFromJson(content)
 }
+
+/** Whether it is CSV, even if another program quoted its comment or left it out. */
+const isTable = (text: string): boolean => /^("?#|map,)/.test(text)
 
 /** Whether the first line is a JSON value of its own, and not all of the results in one line. */
 function beginsWithOrigin(text: string): boolean {

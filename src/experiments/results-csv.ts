@@ -1,9 +1,8 @@
 import { InputError } from '../grid/errors'
-import { describe } from '../grid/excerpt'
+import { describe, excerpt } from '../grid/excerpt'
 import { inParts } from './in-parts'
 import { readRows } from './read-rows'
 import { originToJson, type Results, readOrigin } from './results'
-import { parseLine } from './results-json'
 import type { Row } from './row'
 
 type Value = string | number | boolean | null
@@ -70,8 +69,7 @@ export function* csvInParts(
  */
 export function* resultsFromCsv(text: string): Generator<number, Results, void> {
   const [comment, header, ...lines] = text.replaceAll('\r\n', '\n').trimEnd().split('\n')
-  if (!comment.startsWith('# ')) throw new InputError('Line 1 must be "# " and the settings.')
-  const origin = readOrigin(parseLine(comment.slice(2), 1))
+  const origin = readOrigin(settingsIn(comment))
   const names = (header ?? '').split(',')
   const nameOf = (i: number) => `Line ${i + 3}`
   const jsonOf = (line: string, i: number) => {
@@ -90,6 +88,16 @@ export function* resultsFromCsv(text: string): Generator<number, Results, void> 
 interface Column {
   readonly name: string
   of(row: Row): Value
+}
+
+/** A spreadsheet takes the comment for a row: what it saves has lost the quotes of the JSON in it. */
+function settingsIn(comment: string): unknown {
+  try {
+    if (comment.startsWith('# ')) return JSON.parse(comment.slice(2))
+  } catch {}
+  throw new InputError(
+    `Line 1 must be "# " and the settings as JSON, but is ${excerpt(comment)}. A spreadsheet that saves the table spoils them: open the results as they were saved here.`,
+  )
 }
 
 /** All columns; those of parameters in the order in which they appear. */

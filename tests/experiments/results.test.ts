@@ -147,8 +147,10 @@ test.each([
   ['{"format":"path-planner"}', 'its "format" is "path-planner", not "path-planner-results"'],
   ['{"format":"path-planner-results","version":9}', 'of version 9'],
   ['hello', 'The file is broken in line 1, column 1'],
-  ['#', 'Line 1 must be "# " and the settings.'],
-  ['# no', 'Line 1 is no JSON: "no".'],
+  ['#', 'Line 1 must be "# " and the settings as JSON, but is "#".'],
+  ['# no', 'but is "# no". A spreadsheet that saves the table spoils them'],
+  ['"# {""settings"":{""seed"":1",maps:2,,', 'but is ""# {""settings""'],
+  ['map,family,density\n0,random,20\n', 'Line 1 must be "# " and the settings as JSON'],
 ])('%j is no results file', (text, message) => {
   expect(() => openResults(text)).toThrow(InputError)
   expect(() => openResults(text)).toThrow(message)
