@@ -1,7 +1,4 @@
-import type { Row } from './row'
-
-/** So many rows are written within a fraction of a frame. */
-const ROWS_AT_ONCE = 64
+import { ROWS_AT_ONCE, type Row } from './row'
 
 /**
  * The texts of rows, many of them at a time, for files that take long to be written.

@@ -1,11 +1,8 @@
 import { InputError } from '../grid/errors'
 import type { Origin } from './results'
-import type { Row } from './row'
+import { ROWS_AT_ONCE, type Row } from './row'
 import { readRow } from './row-shape'
 import { countWork, plannerSettings } from './settings'
-
-/** So many rows are read within a fraction of a frame. */
-const ROWS_AT_ONCE = 64
 
 /**
  * The rows of one file in their order, by map, and for each map by setting, in whatever order they

@@ -1,6 +1,9 @@
 import type { ParamValue } from '../algorithms/params'
 import type { Status } from '../trace/events'
 
+/** So many rows are read or written within a fraction of a frame. */
+export const ROWS_AT_ONCE = 64
+
 type Place = readonly [x: number, y: number]
 
 /**
