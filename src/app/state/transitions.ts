@@ -122,6 +122,9 @@ export function planArrived(state: State, shown: Shown, welcome: Tempo | null = 
   return isWanted ? ended(arrived, { kind: 'settled' }) : arrived
 }
 
+/** The plan on screen is that of the setup: an edit was taken back before another plan was there. */
+export const planStands = (state: State): State => ({ ...state, run: { kind: 'settled' } })
+
 /** There is no plan for this setup. For a setup that is not on screen any more, nothing is said. */
 export function planFailed(state: State, setup: Setup, message: string): State {
   return setup === state.setup ? ended(state, { kind: 'failed', message }) : state
