@@ -1,8 +1,9 @@
 import type { Locator, Page } from '@playwright/test'
-import { plan, planners, problemFromText } from '../../src/index'
+import { generators } from '../../src/grid/generators'
+import { plan, planners, problemFromText, problemToText } from '../../src/index'
 import { pathStyles } from '../../src/render/path-styles'
 import { expectAccessible } from '../accessibility'
-import { expectSaid, openMap } from '../actions'
+import { choosePlanner, expectSaid, openMap } from '../actions'
 import { expect, test } from '../fixtures'
 
 const MAP = `
@@ -106,4 +107,19 @@ test('an edit updates the table, and the comparison ends', async ({ map, page })
   await page.getByRole('button', { name: 'End the comparison' }).click()
   await expect(card(page)).toBeHidden()
   await expect(page.getByRole('button', { name: 'Compare planners' })).toBeFocused()
+})
+
+test('of a large map no number is cut off', async ({ page }) => {
+  const size = { width: 1000, height: 1000 }
+  const rule = 'if-at-most-one-obstacle'
+  await choosePlanner(page, 'Bug1')
+  await openMap(page, problemToText(generators[0].generate(size, { density: 20 }, 1, rule)))
+  await page.getByRole('button', { name: 'Compare planners' }).click()
+  await expect(lineOf(page, 'Tangent Bug').getByRole('cell').last()).toHaveText(/s$/)
+  const [right, edge] = await Promise.all(
+    [lineOf(page, 'Bug1').getByRole('cell').last(), card(page)].map((part) =>
+      part.evaluate((element) => element.getBoundingClientRect().right),
+    ),
+  )
+  expect(right).toBeLessThanOrEqual(edge)
 })

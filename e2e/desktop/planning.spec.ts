@@ -62,6 +62,7 @@ test('a long plan can be cancelled and asked for again', async ({ map, page }) =
   await page.getByRole('button', { name: 'Plan again' }).click()
   await expectResult(page, 'Planning…')
   await page.getByRole('button', { name: 'Cancel' }).click()
+  await expectSaid(page, 'Planner: Probabilistic roadmap. Planning was cancelled.')
   await setParam(page, 'Samples', 10)
   await expectResult(page, /^Reached in \d+ cells$/)
 })

@@ -70,7 +70,7 @@ function panels(
   })
   return [
     plannerCard(store, about),
-    resultCard(planning),
+    resultCard(store, planning),
     stepsCard(store),
     compareCard(store, () => stage.coversChanged(true)),
     playbackBar(store),

@@ -1,5 +1,6 @@
 import { type Cell, cellName, pointOf } from '../grid/grid'
 import { plural } from '../grid/plural'
+import { inThousands } from '../grid/thousands'
 import { KNOWN } from './cell-state'
 import { costLeft } from './cost-left'
 import { EVENT, STATUSES, type Status } from './events'
@@ -167,9 +168,9 @@ function whatItGives(names: readonly string[]): string {
   return ` It gives ${others && `${others} and `}${names.at(-1)} a shorter way.`
 }
 
-const count = (n: number, what: string): string => `${n} ${plural(n, what)}`
+const count = (n: number, what: string): string => `${number(n)} ${plural(n, what)}`
 
 /** At most three decimals, none for whole numbers. */
 function number(value: number): string {
-  return Number.isFinite(value) ? String(Math.round(value * 1000) / 1000) : 'infinite'
+  return Number.isFinite(value) ? inThousands(String(Math.round(value * 1000) / 1000)) : 'infinite'
 }

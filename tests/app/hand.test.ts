@@ -1,9 +1,9 @@
 import { beforeEach, describe, expect, it } from 'vitest'
 import type { State } from '../../src/app/state/state'
 import { createStore, type Store } from '../../src/app/state/store'
-import { changeMap, undo } from '../../src/app/state/transitions'
+import { change, changeMap, look, undo } from '../../src/app/state/transitions'
 import { Hand, type Press } from '../../src/app/tools/hand'
-import type { Point } from '../../src/grid/grid'
+import { emptyGrid, type Point } from '../../src/grid/grid'
 import { obstaclesOf, setupFrom, stateFrom } from './setups'
 
 let store: Store<State>
@@ -69,6 +69,16 @@ describe('the main button', () => {
     release()
     expect(obstacles()).toEqual([])
     expect(store.state.said.text).toBe('2 cells are now free.')
+  })
+
+  it('says of many cells how many, as all numbers are written', () => {
+    const problem = { ...store.state.setup.problem, start: 0, goal: 1, grid: emptyGrid(2048, 4) }
+    store.update((state) => change(state, { ...state.setup, problem }, 'Made.'))
+    store.update((state) => look(state, { scale: 40, left: 0, top: 0 }))
+    press(at(0, 1))
+    move(at(2047, 1))
+    release()
+    expect(store.state.said.text).toBe('2,048 cells are now obstacles.')
   })
 
   it('goes around start and goal, and goes on after having left the map', () => {

@@ -37,6 +37,14 @@ describe('the room for the map', () => {
     expect(roomForMap(screen, [lower, below], square)).toEqual(corner)
   })
 
+  it('is no gap between cards, however wide, for the sake of a map of few rows', () => {
+    const left = { left: 0, top: 12, width: 300, height: 500 }
+    const right = { left: 800, top: 12, width: 200, height: 500 }
+    const below = { left: 0, top: 540, width: 1000, height: 60 }
+    const room = roomForMap(screen, [left, right, below], { width: 2048, height: 3 })
+    expect(room).toEqual({ left: 300, top: 0, width: 500, height: 540 })
+  })
+
   it('never lies under a card that sticks out of the screen', () => {
     const out = { left: -100, top: -50, width: 200, height: 800 }
     expect(roomForMap(screen, [out], wide)).toEqual({ left: 100, top: 0, width: 900, height: 600 })

@@ -18,6 +18,15 @@ test('a cell that A* closes tells what is left from it at least', () => {
   )
 })
 
+test('large numbers are written as everywhere on the page', () => {
+  const tape = new Tape()
+  tape.begin(10, 10)
+  tape.write(EVENT.close, 54, 0, 12345 + Math.SQRT2)
+  expect(explain(tape, 0, frameAt(tape, 1), [])).toBe(
+    'Of all open ones (4, 5) comes first, with cost 12,346.414: the way to it is final.',
+  )
+})
+
 test.each([
   ['no neighbour', 0, ''],
   ['neighbours that have events of their own', -1, ''],
@@ -63,7 +72,7 @@ const SENTENCES: readonly (readonly [string, ...Written[]])[] = [
     [EVENT.edge, 54, 0, 20 / 3],
   ],
   [
-    'There are more than 1000 edges: those from (4, 5) on are used, but not shown.',
+    'There are more than 1,000 edges: those from (4, 5) on are used, but not shown.',
     [EVENT.cut, 54, -1, 1000],
   ],
   [

@@ -7,19 +7,23 @@ const ascending = (values: readonly number[]): number[] =>
 /** How much smaller a map may get for the sake of a larger room, in which it lies less squeezed. */
 const WORTH = 0.88
 
+/** What is narrower is a gap between cards: a map of few rows would get largest in it. */
+const NARROWEST = 64
+
 /**
  * The part of the screen that no card covers and in which the map gets largest, or nearly so: of
  * those the largest. The whole screen if the cards leave no room worth the name.
  */
 export function roomForMap(screen: ScreenSize, covered: readonly Rect[], grid: Size): Rect {
-  const rooms = emptyRooms(screen, covered)
+  const rooms = emptyRooms(screen, covered).filter(
+    ({ width, height }) => Math.min(width, height) >= NARROWEST,
+  )
   const scaleIn = (room: Rect) => Math.min(room.width / grid.width, room.height / grid.height)
   const enough = WORTH * Math.max(0, ...rooms.map(scaleIn))
   const [largest] = rooms
     .filter((room) => scaleIn(room) >= enough)
     .sort((a, b) => b.width * b.height - a.width * a.height)
-  const isWorthIt = largest !== undefined && Math.min(largest.width, largest.height) >= 64
-  return isWorthIt ? largest : { left: 0, top: 0, ...screen }
+  return largest ?? { left: 0, top: 0, ...screen }
 }
 
 /**

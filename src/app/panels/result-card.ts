@@ -3,7 +3,8 @@ import { type IconName, setIcon } from '../icons'
 import type { Planning } from '../planning/planning'
 import { plannerOf } from '../state/setup'
 import type { State } from '../state/state'
-import { PATH_HIDDEN } from '../state/transitions'
+import type { Store } from '../state/store'
+import { PATH_HIDDEN, sayOutcome } from '../state/transitions'
 import type { NumberRow } from '../words/numbers'
 import { outcomeInWords, outcomeNumbers, reasonInWords, toneOf } from '../words/outcome-in-words'
 import { showProgress } from './progress'
@@ -47,7 +48,7 @@ export function reportOf({ run, shown, clearPath, setup }: State): Report {
 }
 
 /** Binds the result card; returns what shows a state in it. */
-export function resultCard(planning: Planning): (state: State) => void {
+export function resultCard(store: Store<State>, planning: Planning): (state: State) => void {
   const card = byId('result', HTMLElement)
   const words = byId('result-words', HTMLHeadingElement)
   const detail = byId('result-detail', HTMLParagraphElement)
@@ -60,7 +61,10 @@ export function resultCard(planning: Planning): (state: State) => void {
   const fold = card.querySelector<HTMLElement>('[data-fold]')
   const isSeen = (button: HTMLElement | null) => (button?.getClientRects().length ?? 0) > 0
   cancel.addEventListener('click', planning.cancel)
-  again.addEventListener('click', planning.ask)
+  again.addEventListener('click', () => {
+    planning.ask()
+    store.update(sayOutcome)
+  })
 
   return (state) => {
     const report = reportOf(state)

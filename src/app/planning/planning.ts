@@ -9,6 +9,7 @@ import {
   planFailed,
   planIsSlow,
   planProgressed,
+  planStands,
   planStarted,
 } from '../state/transitions'
 import { planningWorker } from './planning-worker'
@@ -50,8 +51,14 @@ export function planningFor(
     const { setup, committed } = store.state
     solver.ask({ setup, instant: setup !== committed })
   }
+  /** An edit that is taken back, as a finger's before a second one comes, costs no new plan. */
+  const askIfNew = () => {
+    if (store.state.shown?.setup !== store.state.setup) return ask()
+    solver.cancel()
+    store.update(planStands)
+  }
   store.subscribe((now, before) => {
-    if (now.setup !== before.setup) ask()
+    if (now.setup !== before.setup) askIfNew()
     if (now.committed !== before.committed) solver.editEnded()
   })
   return {

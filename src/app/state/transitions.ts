@@ -7,7 +7,7 @@ import type { Tempo } from '../playback/speeds'
 import * as history from './history'
 import { tell } from './messages'
 import type { Preferences } from './preferences'
-import { isSameSetup, type Setup, withGrid } from './setup'
+import { isSameSetup, plannerOf, type Setup, withGrid } from './setup'
 import { type Shown, type State, THE_END } from './state'
 
 // Transitions are pure: each makes the next state from the last one.
@@ -117,16 +117,33 @@ export function planIsSlow(state: State): State {
 
 /** @param welcome how it is played if it is shown from its beginning; `null` for its end at once */
 export function planArrived(state: State, shown: Shown, welcome: Tempo | null = null): State {
-  const run = shown.setup === state.setup ? { kind: 'settled' as const } : state.run
-  return { ...state, shown, run, ...cursorOn(state, shown, welcome) }
+  const isWanted = shown.setup === state.setup
+  const arrived = { ...state, shown, ...cursorOn(state, shown, welcome) }
+  return isWanted ? ended(arrived, { kind: 'settled' }) : arrived
 }
+
+/** The plan on screen is that of the setup: an edit was taken back before another plan was there. */
+export const planStands = (state: State): State => ({ ...state, run: { kind: 'settled' } })
 
 /** There is no plan for this setup. For a setup that is not on screen any more, nothing is said. */
 export function planFailed(state: State, setup: Setup, message: string): State {
-  return setup === state.setup ? { ...state, run: { kind: 'failed', message } } : state
+  return setup === state.setup ? ended(state, { kind: 'failed', message }) : state
 }
 
-export const planCancelled = (state: State): State => ({ ...state, run: { kind: 'cancelled' } })
+export const planCancelled = (state: State): State => ended(state, { kind: 'cancelled' })
+
+/** After a wait, what came of it is said, even if something else was said meanwhile. */
+function ended(state: State, run: State['run']): State {
+  const { text, followedBy } = state.said
+  const isOwed = state.run.kind === 'running' && state.run.slow && text && followedBy !== 'outcome'
+  return { ...(isOwed ? sayOutcome(state) : state), run }
+}
+
+/** Once there is a plan for what is on screen, what came of it is said. */
+export const sayOutcome = (state: State): State => ({
+  ...state,
+  said: { text: `Planner: ${plannerOf(state.setup).title}.`, followedBy: 'outcome' },
+})
 
 export const PATH_HIDDEN = 'The path is hidden until the next change; undo shows it again.'
 

@@ -3,6 +3,7 @@ import { withGrid } from '../state/setup'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
 import { cancel, commit, edit } from '../state/transitions'
+import { cellsInWords } from '../words/numbers'
 import { placeOnMap } from './places'
 import { lineOfCells, paint } from './stroke'
 import type { Tool } from './tool'
@@ -34,7 +35,7 @@ export function drawTool(store: Store<State>, first: Cell): Tool {
   const paintedInWords = () =>
     count === 1
       ? `${cellName(grid.width, latest)} is now ${obstacle ? 'an obstacle' : 'free'}.`
-      : `${count} cells are now ${obstacle ? 'obstacles' : 'free'}.`
+      : `${cellsInWords(count)} are now ${obstacle ? 'obstacles' : 'free'}.`
 
   return {
     move(places) {

@@ -1,4 +1,5 @@
 import { plural } from '../../grid/plural'
+import { inThousands } from '../../grid/thousands'
 
 /**
  * A number short enough for a narrow column: whole numbers whole, others with two decimals. The
@@ -12,9 +13,6 @@ export function numberInWords(value: number): string {
 
 /** A length in cell sides, always with two decimals, so that lengths stand below each other. */
 export const lengthInWords = (length: number): string => inThousands(length.toFixed(2))
-
-/** @param digits with two decimals at most */
-const inThousands = (digits: string): string => digits.replace(/\B(?=(\d{3})+(\.|$))/g, ',')
 
 /** "1 step", "2 steps". */
 export const countInWords = (count: number, what: string): string =>

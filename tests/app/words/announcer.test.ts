@@ -16,6 +16,7 @@ import {
   planArrived,
   planCancelled,
   planFailed,
+  planIsSlow,
   planStarted,
   say,
 } from '../../../src/app/state/transitions'
@@ -69,6 +70,20 @@ it('a plan that was cancelled or refused is said to be', () => {
   expect(announcement(failed, null, null)).toBe(
     'The goal is now at (2, 2). No plan: The seed is no number.',
   )
+})
+
+it('what came of a long wait is said, even if something else was said meanwhile', () => {
+  const meanwhile = say(planIsSlow(running), 'Theme: light.')
+  const planner = 'Planner: Grid decomposition.'
+  const said = (state: State) => announcement(state, null, meanwhile.said)
+  expect(said(planArrived(meanwhile, planned(edited.setup)))).toBe(`${planner} Reached in 3 cells.`)
+  expect(said(planCancelled(meanwhile))).toBe(`${planner} Planning was cancelled.`)
+  expect(said(planFailed(meanwhile, edited.setup, 'No.'))).toBe(`${planner} No plan: No.`)
+  // Of a plan that is there at once nobody expects a word more, nor before anything was done.
+  const quick = say(running, 'Theme: light.')
+  expect(planArrived(quick, planned(edited.setup)).said).toBe(quick.said)
+  const opening = planIsSlow(planStarted(begin))
+  expect(announcement(planArrived(opening, planned(begin.setup)), null, null)).toBeNull()
 })
 
 it('the map says of itself where it lies and what came out', () => {
