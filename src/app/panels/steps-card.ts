@@ -7,7 +7,7 @@ import type { State } from '../state/state'
 import type { Store } from '../state/store'
 import { numberInWords } from '../words/numbers'
 import { stepNumbers } from '../words/step-numbers'
-import { landmarkInWords, stepInWords } from '../words/steps-in-words'
+import { landmarkInWords, noStepsInWords, stepInWords } from '../words/steps-in-words'
 import { leftOut } from '../words/thinning'
 import { CodeList } from './code-list'
 import { showRows } from './rows'
@@ -29,8 +29,9 @@ export function stepsCard(store: Store<State>): (state: State, moment: Moment | 
     byId('scrubber', HTMLInputElement).focus()
   })
 
-  return ({ playing, setup }, moment) => {
-    const text = moment ? inWords(moment, isFast(playing)) : 'There is no plan to step through.'
+  return (state, moment) => {
+    const { playing, setup } = state
+    const text = moment ? inWords(moment, isFast(playing)) : noStepsInWords(state)
     setText(words, text)
     setText(brief, text)
     const { words: missing } = leftOut(moment?.shown.tape.thinning ?? 'whole')

@@ -1,6 +1,7 @@
 import { momentAfter, momentBefore, placeAfter } from '../../trace/landmarks'
 import { type Said, type Shown, type State, THE_END, visiblePlan } from '../state/state'
 import { prefer, say } from '../state/transitions'
+import { noStepsInWords } from '../words/steps-in-words'
 import { isFast, type Speed, speedInWords, tempoOf } from './speeds'
 import { stepAt, type Timeline, timelineOf } from './timeline'
 
@@ -20,7 +21,7 @@ function put(state: State, { tape }: Shown, time: number, said: Said): State {
 
 function move(state: State, to: (timeline: Timeline, time: number) => number): State {
   const shown = visiblePlan(state)
-  if (!shown) return say(state, 'There is no plan to step through.')
+  if (!shown) return say(state, noStepsInWords(state))
   const time = to(timelineOf(shown.tape), timeIn(state, shown))
   return put(state, shown, time, sayStep())
 }

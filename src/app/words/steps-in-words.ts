@@ -3,7 +3,11 @@ import { placeAfter } from '../../trace/landmarks'
 import { isAtEnd, type Moment } from '../playback/moment'
 import { stepAt, timelineOf } from '../playback/timeline'
 import { plannerOf } from '../state/setup'
+import type { State } from '../state/state'
 import { asSentence } from './sentences'
+
+export const noStepsInWords = ({ run }: State): string =>
+  `There is no plan to step through${run.kind === 'running' ? ' yet' : ''}.`
 
 /** Why the planner does what it does at this moment; at the end with the reason of the outcome. */
 export function stepInWords(moment: Moment): string {

@@ -92,6 +92,13 @@ describe('the cursor on the tape', () => {
     }
   })
 
+  it('says that there is no plan yet while there may be one soon', () => {
+    const hidden = hidePath(begin)
+    expect(stepBack(hidden).said.text).toBe('There is no plan to step through.')
+    const running: State = { ...hidden, run: { kind: 'running', slow: true, done: 0 } }
+    expect(stepBack(running).said.text).toBe('There is no plan to step through yet.')
+  })
+
   it('shows the frame that belongs to it', () => {
     const moments = new Moments()
     const shown = [toFirst(begin), toStep(begin, 9), toStep(begin, 4), begin].map(
