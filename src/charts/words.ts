@@ -1,5 +1,7 @@
 import type { Success } from '../experiments/summary/success'
 
+export const count = (value: number): string => value.toLocaleString('en')
+
 /** 0.914 → "91.4 %". */
 export const percent = (share: number): string =>
   Number.isNaN(share) ? '–' : `${(100 * share).toFixed(1)} %`
@@ -11,8 +13,6 @@ export function successInWords({ rate, low, high, rows, failures }: Success): st
   return `${percent(rate)} (${count(reached)} of ${count(rows.length)}; 95 % interval ${percent(low)} to ${percent(high)})`
 }
 
-export const count = (value: number): string => value.toLocaleString('en')
-
 export const ratioInWords = (ratio: number): string =>
   Number.isNaN(ratio) ? '–' : ratio.toFixed(3)
 
@@ -20,5 +20,5 @@ export const ratioInWords = (ratio: number): string =>
 export function millisecondsInWords(value: number): string {
   if (Number.isNaN(value)) return '–'
   if (value === 0) return '0 ms'
-  return `${value < 100 ? value.toPrecision(2) : Math.round(value)} ms`
+  return `${value < 100 ? value.toPrecision(2) : count(Math.round(value))} ms`
 }

@@ -205,7 +205,7 @@ describe('the words', () => {
     [0.0123, '0.012 ms'],
     [7.25, '7.3 ms'],
     [99.4, '99 ms'],
-    [1234.5, '1235 ms'],
+    [1234.5, '1,235 ms'],
     [Number.NaN, '–'],
   ])('of %d milliseconds have two digits that count', (milliseconds, words) => {
     expect(millisecondsInWords(milliseconds)).toBe(words)

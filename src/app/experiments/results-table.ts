@@ -1,4 +1,5 @@
 import { count, millisecondsInWords, percent, ratioInWords } from '../../charts/words'
+import { inThousands } from '../../grid/thousands'
 import { create } from '../element'
 import { type SummaryKey, type SummaryRow, sortSummary } from './summary-table'
 
@@ -45,7 +46,8 @@ const COLUMNS: readonly Column[] = [
     key: 'medianLength',
     title: 'Median length',
     help: 'Euclidean, in cells, of the paths that reached the goal',
-    show: ({ medianLength }) => (Number.isNaN(medianLength) ? '–' : medianLength.toFixed(1)),
+    show: ({ medianLength }) =>
+      Number.isNaN(medianLength) ? '–' : inThousands(medianLength.toFixed(1)),
   },
   {
     key: 'medianMilliseconds',
