@@ -70,6 +70,24 @@ for (const { name, ...size } of SIZES) {
 }
 
 for (const size of [
+  { width: 1024, height: 768 },
+  { width: 900, height: 600 },
+  { width: 800, height: 800 },
+]) {
+  const name = `${size.width} × ${size.height}`
+  test(`all of the playback is in a window of ${name} beside the comparison`, async ({ page }) => {
+    await page.setViewportSize(size)
+    await page.getByRole('button', { name: 'Compare planners' }).click()
+    const comparison = page.getByRole('region', { name: 'Comparison of planners' })
+    await expectInReach(comparison.getByLabel('Tangent Bug'))
+    await expect(playback(page)).toBeInViewport({ ratio: 1 })
+    await page.getByRole('button', { name: 'Fold the card of steps' }).click()
+    await expect(playback(page)).toBeInViewport({ ratio: 1 })
+    await expectPlaybackInReach(page)
+  })
+}
+
+for (const size of [
   { width: 640, height: 400 },
   { width: 640, height: 480 },
   { width: 568, height: 320 },
