@@ -120,7 +120,11 @@ export async function inPlannerCard(page: Page, action: () => Promise<unknown>):
 }
 
 export async function choosePlanner(page: Page, title: string): Promise<void> {
-  await inPlannerCard(page, () => plannerSelect(page).selectOption({ label: title }))
+  await inPlannerCard(page, async () => {
+    await plannerSelect(page).selectOption({ label: title })
+    // Before the next frame the parameters are still those of the other planner.
+    await expect(page.locator('#planner-title')).toHaveText(title)
+  })
 }
 
 /** The control of a parameter, found by its label, whatever unit stands behind that. */
