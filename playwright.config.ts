@@ -21,7 +21,8 @@ export default defineConfig({
   testDir: 'e2e',
   fullyParallel: true,
   forbidOnly: true,
-  retries: 0,
+  // On a machine with much else to do a step may come too early; what fails once is named all the same.
+  retries: 1,
   // The planners of a page work beside it, and the browser itself: a core is left to them.
   workers: Math.min(4, Math.max(2, availableParallelism() - 1)),
   // Generous, for machines with much else to do: a test never waits longer than it must.

@@ -15,11 +15,12 @@ const unloaded = unit?.testResults.filter(
   (/** @type {{ status: string, assertionResults: unknown[] }} */ file) =>
     file.status === 'failed' && file.assertionResults.length === 0,
 ).length
-const passed = (unit?.numPassedTests ?? 0) + (e2e?.stats.expected ?? 0)
+const twice = e2e?.stats.flaky ?? 0
+const passed = (unit?.numPassedTests ?? 0) + (e2e?.stats.expected ?? 0) + twice
 const failed =
   (unit?.numFailedTests ?? 0) +
   (unloaded ?? 0) +
   (e2e?.stats.unexpected ?? 0) +
-  (e2e?.stats.flaky ?? 0) +
   (e2e?.errors.length ?? 0)
 console.log(`${passed} passed, ${failed} failed`)
+if (twice > 0) console.log(`${twice} of them passed only when tried again.`)
