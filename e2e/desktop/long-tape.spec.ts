@@ -62,9 +62,7 @@ test('a step on a tape of a million events is on screen at once, backwards too',
         answers.push(await answerTo(page, key))
       }
       const what = `${direction} at step ${place}: ${JSON.stringify(answers)}`
-      // One of them may meet a moment in which the machine has something else to do.
-      const frames = answers.map((answer) => answer.frames).sort((a, b) => a - b)
-      expect(frames[times / 2], what).toBeLessThanOrEqual(3)
+      expect(Math.max(...answers.map(({ frames }) => frames)), what).toBeLessThanOrEqual(3)
       expect(Math.min(...answers.map(({ time }) => time)), what).toBeLessThan(100)
     }
   }

@@ -173,11 +173,14 @@ test('the scrubber says landmarks to those who listen, its own words say the res
 }) => {
   await openScenario(page, BENT)
   const heard = await listen(page)
-  for (const step of ['1', '2', '3', '4']) await scrubber(page).fill(step)
-  await expectStep(page, 4)
-  await expect.poll(heard).toContain(HIT)
+  // A landmark that is passed within one frame is not said: each step is to be on screen.
+  for (const step of [1, 2, 3, 4]) {
+    await scrubber(page).fill(String(step))
+    await expectStep(page, step)
+  }
   await press(page, 'ArrowRight')
   await expectStep(page, 5)
+  await expect.poll(heard).toContain(HIT)
   for (const words of await heard()) expect(words).toBe(HIT)
 })
 

@@ -68,6 +68,7 @@ test('a browser that keeps nothing is no reason to stop', async ({ map, page }) 
     }
   })
   await page.reload()
+  await expect(map.element).toHaveAttribute('data-status', 'reached')
   await map.click([0, 0])
   await expect(page.getByText('This browser keeps nothing for the next visit')).toBeVisible()
   await chooseFromMapMenu(page, 'Clear obstacles')
