@@ -3,9 +3,6 @@ import type { Cell } from './grid'
 import type { Problem } from './problem'
 import { LEGAL_STEPS } from './steps'
 
-// Nobody can foretell which way a path goes on, so there is no branch on that in the loops below:
-// where processors guess wrong, they wait longer than for all the rest.
-
 /**
  * By how many rows a step changes: -1, 0 or 1. `column` is the column that it begins in plus what it
  * adds to the index of its cell; where that is not on the row, the step leads into another one.
@@ -17,21 +14,31 @@ const rowsCrossed = (column: number, width: number): number =>
 export function firstIllegalStep({ grid, diagonal }: Problem, path: ArrayLike<Cell>): number {
   const { width, walls } = grid
   const legal = LEGAL_STEPS[diagonal]
-  // Columns are counted on: a division for each cell would take longer than all else.
-  let x = path.length > 0 ? path[0] % width : 0
+  // Columns are counted on: a division for each cell would take longer than all else. What is known
+  // of a step holds for the next one that adds as much, unless it would lead over the map's edge, as
+  // what is known before the first one would.
+  let from = path.length > 0 ? path[0] : 0
+  let x = from % width
+  let step = 0
+  let dx = width
+  let dy = 0
   for (let i = 1; i < path.length; i++) {
-    const from = path[i - 1]
     const to = path[i]
-    const dy = rowsCrossed(x + to - from, width)
-    const dx = to - from - Math.imul(dy, width)
-    if (!(dx >= -1 && dx <= 1) || to < 0 || to >= walls.length || to === from) return i
-    // Over the edge of the map, and on at the other side of it two rows away.
-    if ((x + dx) >>> 0 >= width) return i
-    const direction = stepDirection(dx, dy)
-    const beside = (walls[from + dx] << (4 - 2 * dx)) | (walls[to - dx] << (2 + 2 * dy))
-    const obstacles = (walls[to] << direction) | (beside & -(direction & 1))
-    if (((legal[obstacles] >> direction) & 1) === 0) return i
+    if (to - from !== step || (x + dx) >>> 0 >= width) {
+      step = to - from
+      dy = rowsCrossed(x + step, width)
+      dx = step - Math.imul(dy, width)
+      // Over the edge, it would go on at the other side of the map two rows away.
+      if (!(dx >= -1 && dx <= 1) || step === 0 || (x + dx) >>> 0 >= width) return i
+    }
     x += dx
+    if (to < 0 || to >= walls.length || walls[to] !== 0) return i
+    if (dx !== 0 && dy !== 0) {
+      const direction = stepDirection(dx, dy)
+      const beside = (walls[from + dx] << (4 - 2 * dx)) | (walls[to - dx] << (2 + 2 * dy))
+      if (((legal[beside] >> direction) & 1) === 0) return i
+    }
+    from = to
   }
   return -1
 }
@@ -49,20 +56,26 @@ export interface PathMeasure {
 /** Measures a path whose cells are neighbours, each of the one before. */
 export function measurePath(width: number, path: ArrayLike<Cell>): PathMeasure {
   const steps = Math.max(0, path.length - 1)
-  let x = path.length > 0 ? path[0] % width : 0
+  let from = path.length > 0 ? path[0] : 0
+  let x = from % width
+  let step = 0
   let dx = 0
-  let dy = 0
+  let isDiagonal = 0
   let diagonals = 0
   let turns = 0
   for (let i = 1; i <= steps; i++) {
-    const step = path[i] - path[i - 1]
-    const down = rowsCrossed(x + step, width)
-    const right = step - Math.imul(down, width)
-    diagonals += right & down & 1
-    if (i > 1 && (right !== dx || down !== dy)) turns++
-    dx = right
-    dy = down
-    x += right
+    const to = path[i]
+    if (to - from !== step || (x + dx) >>> 0 >= width) {
+      step = to - from
+      const dy = rowsCrossed(x + step, width)
+      dx = step - Math.imul(dy, width)
+      isDiagonal = dx & dy & 1
+      turns++
+    }
+    diagonals += isDiagonal
+    x += dx
+    from = to
   }
-  return { cells: path.length, length: steps - diagonals + diagonals * Math.SQRT2, turns }
+  const length = steps - diagonals + diagonals * Math.SQRT2
+  return { cells: path.length, length, turns: Math.max(0, turns - 1) }
 }

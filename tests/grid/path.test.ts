@@ -105,6 +105,32 @@ describe('measurePath', () => {
     expect(measurePath(10, [50, 51, 42, 43, 42]).turns).toBe(3)
   })
 
+  test('steps that add as much to the index may lead elsewhere where a map is narrow', () => {
+    const wanderings = fc.array(fc.tuple(fc.nat(2), fc.nat(2)), { maxLength: 30 })
+    fc.assert(
+      fc.property(fc.integer({ min: 2, max: 4 }), wanderings, (width, rolls) => {
+        const points: [number, number][] = [[0, 40]]
+        for (const [right, down] of rolls) {
+          const [x, y] = points[points.length - 1]
+          const next = Math.min(width - 1, Math.max(0, x + right - 1))
+          if (next !== x || down !== 1) points.push([next, y + down - 1])
+        }
+        const steps = points.slice(1).map(([x, y], i) => [x - points[i][0], y - points[i][1]])
+        const measure = measurePath(
+          width,
+          points.map(([x, y]) => y * width + x),
+        )
+        expect(measure.length).toBeCloseTo(
+          steps.reduce((sum, [dx, dy]) => sum + Math.hypot(dx, dy), 0),
+          9,
+        )
+        expect(measure.turns).toBe(
+          steps.filter((step, i) => i > 0 && `${step}` !== `${steps[i - 1]}`).length,
+        )
+      }),
+    )
+  })
+
   test('of one cell and of none', () => {
     expect(measurePath(10, [5])).toEqual({ cells: 1, length: 0, turns: 0 })
     expect(measurePath(10, [])).toEqual({ cells: 0, length: 0, turns: 0 })
