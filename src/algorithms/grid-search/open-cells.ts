@@ -5,6 +5,8 @@ import { Bucket } from './bucket'
 
 const SLOTS = 1 << 10
 const ROOM = 1 << 10
+/** So few slots are quicker cleared one by one. */
+const FEW = 1 << 8
 const NONE = -1
 
 /**
@@ -23,8 +25,11 @@ export class OpenCells {
   #chain = NONE
   readonly #heads = new FlatQueue<number>()
   /** By slot the weight of the latest chain that fell into it, and that chain's head. */
-  readonly #weights = new Float64Array(SLOTS)
+  readonly #weights = new Float64Array(SLOTS).fill(Number.NaN)
   readonly #headOf = new Int32Array(SLOTS)
+  /** How often a slot was written into, and the first of those. */
+  #written = 0
+  readonly #slots = new Int16Array(FEW)
   /** By link of a chain its cell and the next link. */
   #cells = new Int32Array(ROOM)
   #next = new Int32Array(ROOM)
@@ -37,7 +42,7 @@ export class OpenCells {
     this.#latest.count = 0
     this.#chain = NONE
     this.#heads.clear()
-    this.#weights.fill(Number.NaN)
+    this.#clearSlots()
     this.#links = 0
     this.#unused = NONE
     this.push(first, weight)
@@ -57,6 +62,8 @@ export class OpenCells {
       return
     }
     // Weights that share a slot may get a chain more than they need, and no harm is done.
+    if (this.#written < FEW) this.#slots[this.#written] = slot
+    this.#written++
     this.#weights[slot] = weight
     this.#headOf[slot] = link
     this.#next[link] = NONE
@@ -79,6 +86,12 @@ export class OpenCells {
     this.#next[link] = this.#unused
     this.#unused = link
     return this.#cells[link]
+  }
+
+  #clearSlots(): void {
+    if (this.#written > FEW) this.#weights.fill(Number.NaN)
+    else for (let i = 0; i < this.#written; i++) this.#weights[this.#slots[i]] = Number.NaN
+    this.#written = 0
   }
 
   #newLink(cell: Cell): number {
