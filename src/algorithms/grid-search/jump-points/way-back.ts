@@ -34,11 +34,17 @@ export function wayBackOverJumps(
     const choice = choices.cells[i]
     const end = vertices.cell(choice)
     let d = vertices.departure(choice)
-    for (;;) {
-      cell += offsets[d]
-      path.push(cell)
+    while (cell !== end) {
+      const offset = offsets[d]
+      const row = d << 8
+      const onward = 1 << d
+      let ways = onward
+      do {
+        cell += offset
+        path.push(cell)
+        ways = successors[row | legal[cell]]
+      } while (ways === onward && cell !== end)
       if (cell === end) break
-      let ways = successors[(d << 8) | legal[cell]]
       if ((ways & (ways - 1)) !== 0) {
         const passed = graph.vertexAt(cell)
         // Cells of a diagonal have ways to the sides that lead nowhere.
