@@ -2,6 +2,7 @@ import type { Direction } from '../../grid/directions'
 import { DIAGONAL_WEIGHT, weightsTo } from '../costs'
 import { GoalInSight } from './jump-points/goal-in-sight'
 import { jumpGraphOf } from './jump-points/graph'
+import { covers } from './jump-points/views'
 import { wayBackOverJumps } from './jump-points/way-back'
 import { CLOSED, DIRECTION_SHIFT, directionIn, OPEN, openCells } from './memory'
 import { Recorder } from './recorder'
@@ -25,7 +26,7 @@ export function jumpPointSearch({
   const estimate = weightsTo(goal, cost, grid.width)
   const graph = jumpGraphOf(legal, problem, DIAGONAL_WEIGHT[cost])
   const { vertices, edges } = graph
-  const goalInSight = new GoalInSight(problem, legal, graph.looks.runs)
+  const goalInSight = new GoalInSight(problem, graph.looks.runs)
   const record = tape && new Recorder(tape, lines, cost)
   const first = graph.madeAt(start)
   const last = graph.madeAt(goal)
@@ -59,10 +60,15 @@ export function jumpPointSearch({
       return { path: wayBackOverJumps(graph, problem, legal, goalInSight), expanded }
     }
     const ways = graph.ways(vertex, directionIn(state))
-    if (goalInSight.isNear(cell, graph.explore(vertex, ways))) {
+    graph.explore(vertex, ways)
+    if (covers(vertices.farViews[vertex], goalInSight.view)) {
+      let edge = vertices.edges[vertex] - 1
       for (let d = 0; d < 8; d++) {
         if (((ways >> d) & 1) === 0) continue
-        graph.follow(vertex, d, goalInSight)
+        while (edge >= 0 && edges.departure(edge) < d) edge = edges.next(edge)
+        const known = edge >= 0 && edges.departure(edge) === d
+        if (known && !covers(edges.view(edge), goalInSight.view)) graph.take(edge)
+        else graph.follow(vertex, d, goalInSight)
         if (graph.end >= 0) reach(graph.end, graph.arrival, weight + graph.weight, vertex, d)
       }
     } else {

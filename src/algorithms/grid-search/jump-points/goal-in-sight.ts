@@ -2,6 +2,7 @@ import { type Direction, DX, DY } from '../../../grid/directions'
 import { type Cell, rowOf } from '../../../grid/grid'
 import type { Problem } from '../../../grid/problem'
 import { runFrom, type StraightRuns } from './straight-runs'
+import { type View, Viewer } from './views'
 
 /** Tells where the goal comes in sight of a jump: it is reached, or a straight way leads to it. */
 export class GoalInSight {
@@ -11,48 +12,22 @@ export class GoalInSight {
   readonly #share: number
   readonly #x: number
   readonly #y: number
-  /** How many steps it sees to the north and so on. */
-  readonly #north: number
-  readonly #east: number
-  readonly #south: number
-  readonly #west: number
+  /** Its cell alone: it may be in sight of those only who looked at it. */
+  readonly view: View
 
-  constructor(
-    { goal, grid: { width } }: Problem,
-    legal: Uint8Array,
-    runs: readonly StraightRuns[],
-  ) {
+  constructor({ goal, grid }: Problem, runs: readonly StraightRuns[]) {
+    const { width } = grid
     this.#runs = runs
     this.#goal = goal
     this.#width = width
     this.#share = 1 / width
     this.#x = goal % width
     this.#y = Math.floor(goal / width)
-    const steps = (d: Direction) => {
-      let count = 0
-      for (let cell = goal; (legal[cell] >> d) & 1; cell += DX[d] + DY[d] * width) count++
-      return count
-    }
-    this.#north = steps(0)
-    this.#east = steps(2)
-    this.#south = steps(4)
-    this.#west = steps(6)
+    this.view = new Viewer(grid).view(this.#x, this.#y, this.#x, this.#y)
   }
 
   isAt(cell: Cell): boolean {
     return cell === this.#goal
-  }
-
-  /** Whether it could be in sight of jumps that look up to so many columns or rows away from a cell. */
-  isNear(cell: Cell, view: number): boolean {
-    const y = rowOf(cell, this.#share)
-    const x = cell - y * this.#width
-    const right = x - this.#x
-    const below = y - this.#y
-    if (Math.abs(right) <= view) {
-      return below >= -this.#north - view && below <= this.#south + view
-    }
-    return Math.abs(below) <= view && right >= -this.#west - view && right <= this.#east + view
   }
 
   /** After how many of the steps from a cell in direction `d` it comes in sight; 0 if it does not. */

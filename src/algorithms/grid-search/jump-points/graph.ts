@@ -1,7 +1,6 @@
 import type { Direction } from '../../../grid/directions'
 import type { Cell } from '../../../grid/grid'
 import type { Problem } from '../../../grid/problem'
-import { cellDistance } from '../../../grid/simplest-path'
 import type { Directions } from '../../../grid/steps'
 import { successorsUnder } from '../successors'
 import { Edges } from './edges'
@@ -9,6 +8,7 @@ import type { GoalInSight } from './goal-in-sight'
 import { Looks } from './looks'
 import { Rounds } from './rounds'
 import { Vertices } from './vertices'
+import { covers, joined, type View } from './views'
 
 /** By the legal steps of their maps. */
 const graphs = new WeakMap<Uint8Array, JumpGraph>()
@@ -36,11 +36,11 @@ export function jumpGraphOf(
  */
 export class JumpGraph {
   // Of the latest way that was followed, the vertex where it ends (-1 if it leads nowhere), what it
-  // weighs, the direction of its last step, and how many columns or rows away jumps looked:
+  // weighs, the direction of its last step, and what jumps looked at on it:
   end = -1
   weight = 0
   arrival: Direction = 0
-  farView = 0
+  view: View = 0
   readonly diagonalWeight: number
   readonly vertices = new Vertices()
   readonly edges = new Edges()
@@ -48,8 +48,6 @@ export class JumpGraph {
   readonly #rounds = new Rounds()
   readonly #legal: Uint8Array
   readonly #successors: Uint8Array
-  readonly #width: number
-  readonly #share: number
   /** By cell its vertex, counted from 1. */
   readonly #vertexOf: Int32Array
 
@@ -58,8 +56,6 @@ export class JumpGraph {
     this.looks = new Looks(legal, problem, diagonalWeight)
     this.#legal = legal
     this.#successors = successorsUnder(problem.diagonal)
-    this.#width = problem.grid.width
-    this.#share = 1 / this.#width
     this.#vertexOf = new Int32Array(legal.length)
   }
 
@@ -82,11 +78,8 @@ export class JumpGraph {
     return this.#successors[(arrival << 8) | this.vertices.legal(vertex)]
   }
 
-  /**
-   * Sees to it that the edges from a vertex in these directions are known; returns how many columns
-   * or rows away jumps looked for them at most.
-   */
-  explore(vertex: number, directions: Directions): number {
+  /** Sees to it that the edges from a vertex in these directions are known. */
+  explore(vertex: number, directions: Directions): void {
     const { vertices, edges } = this
     let missing = directions & ~vertices.followed[vertex]
     vertices.followed[vertex] |= missing
@@ -94,12 +87,12 @@ export class JumpGraph {
       const d = 31 - Math.clz32(missing)
       missing ^= 1 << d
       this.follow(vertex, d, null)
-      vertices.farViews[vertex] = Math.max(vertices.farViews[vertex], this.farView)
+      vertices.farViews[vertex] = joined(vertices.farViews[vertex], this.view)
       if (this.end < 0) continue
+      const { end, arrival, weight, view } = this
       const first = vertices.edges[vertex] - 1
-      vertices.edges[vertex] = edges.add(first, this.end, d, this.arrival, this.weight) + 1
+      vertices.edges[vertex] = edges.add(first, { end, departure: d, arrival, weight, view }) + 1
     }
-    return vertices.farViews[vertex]
   }
 
   /**
@@ -108,16 +101,15 @@ export class JumpGraph {
    */
   follow(vertex: number, departure: Direction, goal: GoalInSight | null): void {
     const { vertices, looks } = this
-    const begin = vertices.cell(vertex)
-    let cell = begin
+    let cell = vertices.cell(vertex)
     let d = departure
     this.end = -1
     this.weight = 0
-    this.farView = 0
+    this.view = 0
     this.#rounds.begin()
     do {
       const end = looks.from(cell, d, goal)
-      this.#widenView(begin, cell, looks.view)
+      if (goal === null) this.view = joined(this.view, looks.view)
       if (end < 0) return
       const to = this.madeAt(end)
       this.weight += looks.weight
@@ -128,11 +120,19 @@ export class JumpGraph {
         this.end = to
         return
       }
-      this.#widenView(begin, end, vertices.views[to])
+      this.view = joined(this.view, vertices.views[to])
       if (ways === 0) return
       cell = end
       d = 31 - Math.clz32(ways)
     } while (!this.#rounds.isBack(cell, d))
+  }
+
+  /** As if the way of an edge had been followed. */
+  take(edge: number): void {
+    const { edges } = this
+    this.end = edges.end(edge)
+    this.arrival = edges.arrival(edge)
+    this.weight = edges.weight(edge)
   }
 
   /**
@@ -149,10 +149,10 @@ export class JumpGraph {
       missing ^= 1 << d
       if (looks.from(cell, d, null) >= 0) leading |= 1 << d
       vertices.tried[vertex] |= 1 << d
-      vertices.views[vertex] = Math.max(vertices.views[vertex], looks.view)
+      vertices.views[vertex] = joined(vertices.views[vertex], looks.view)
     }
     vertices.leading[vertex] |= leading
-    if ((leading & (leading - 1)) === 0 && goal?.isNear(cell, vertices.views[vertex])) {
+    if ((leading & (leading - 1)) === 0 && goal && covers(vertices.views[vertex], goal.view)) {
       let dark = ways & ~leading
       while (dark !== 0) {
         const d = 31 - Math.clz32(dark)
@@ -161,11 +161,5 @@ export class JumpGraph {
       }
     }
     return leading
-  }
-
-  /** `view` is how far a jump looked from a cell on the way that began elsewhere. */
-  #widenView(begin: Cell, cell: Cell, view: number): void {
-    const distance = cellDistance(begin, cell, this.#width, this.#share)
-    this.farView = Math.max(this.farView, distance + view)
   }
 }

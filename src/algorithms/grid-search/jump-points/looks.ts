@@ -1,19 +1,17 @@
 import { type Direction, DX, DY, stepOffsets } from '../../../grid/directions'
 import { type Cell, rowOf } from '../../../grid/grid'
 import type { Problem } from '../../../grid/problem'
-import { cellDistance } from '../../../grid/simplest-path'
 import { successorsUnder } from '../successors'
 import type { GoalInSight } from './goal-in-sight'
 import { Rounds } from './rounds'
 import { runAlong, type StraightRuns, straightRuns } from './straight-runs'
+import { type View, Viewer } from './views'
 
 /** Looks from a cell along its ways for the next cell where a shortest path may turn. */
 export class Looks {
-  // Of the latest jump, what it weighs, the direction of its last step, and how many columns or rows
-  // away its cells are at most:
+  // Of the latest jump, what it weighs, and the direction of its last step:
   weight = 0
   arrival: Direction = 0
-  view = 0
   readonly runs: readonly StraightRuns[]
   readonly #legal: Uint8Array
   readonly #successors: Uint8Array
@@ -22,6 +20,12 @@ export class Looks {
   readonly #width: number
   readonly #share: number
   readonly #rounds = new Rounds()
+  readonly #viewer: Viewer
+  /** Around all that it looked at. */
+  #left = 0
+  #top = 0
+  #right = 0
+  #bottom = 0
   /** Whether the latest steps led to a choice, or to a corner with one way on. */
   #found = false
 
@@ -33,6 +37,12 @@ export class Looks {
     this.#diagonalWeight = diagonalWeight
     this.#width = grid.width
     this.#share = 1 / grid.width
+    this.#viewer = new Viewer(grid)
+  }
+
+  /** What the latest jump looked at. */
+  get view(): View {
+    return this.#viewer.view(this.#left, this.#top, this.#right, this.#bottom)
   }
 
   /**
@@ -43,15 +53,22 @@ export class Looks {
   from(from: Cell, departure: Direction, goal: GoalInSight | null): Cell {
     let cell = from
     let d = departure
+    let y = rowOf(from, this.#share)
+    let x = from - y * this.#width
     this.weight = 0
-    this.view = 0
+    this.#left = x
+    this.#right = x
+    this.#top = y
+    this.#bottom = y
     this.#rounds.begin()
     do {
-      let steps = d & 1 ? this.#diagonal(cell, d) : this.#straight(cell, d)
+      let steps = d & 1 ? this.#diagonal(cell, x, y, d) : this.#straight(cell, d)
       const inSight = goal === null ? 0 : goal.on(cell, d, steps)
       if (inSight > 0) steps = inSight
       cell += steps * this.#offsets[d]
-      this.view = Math.max(this.view, cellDistance(from, cell, this.#width, this.#share))
+      x += steps * DX[d]
+      y += steps * DY[d]
+      this.#see(x, y)
       if (!this.#found && inSight === 0) return -1
       this.weight += d & 1 ? steps * this.#diagonalWeight : steps
       this.arrival = d
@@ -60,6 +77,13 @@ export class Looks {
       d = 31 - Math.clz32(ways)
     } while (!this.#rounds.isBack(cell, d))
     return -1
+  }
+
+  #see(x: number, y: number): void {
+    this.#left = Math.min(this.#left, x)
+    this.#right = Math.max(this.#right, x)
+    this.#top = Math.min(this.#top, y)
+    this.#bottom = Math.max(this.#bottom, y)
   }
 
   /** Steps to a cell with another way than onward, or to the last one. Few: to count them is quick. */
@@ -82,9 +106,7 @@ export class Looks {
   }
 
   /** Steps to a cell round an obstacle's corner, or from where a straight way leads to a choice. */
-  #diagonal(from: Cell, d: Direction): number {
-    const y = rowOf(from, this.#share)
-    const x = from - y * this.#width
+  #diagonal(from: Cell, x: number, y: number, d: Direction): number {
     const legal = this.#legal
     const successors = this.#successors
     const offset = this.#offsets[d]
@@ -106,22 +128,33 @@ export class Looks {
     const acrossPlace = acrossRuns.first + x * dx + 1
     const downPlace = downRuns.first + y * dy + 1
 
-    this.#found = true
     let cell = from
-    for (let steps = 1; ; steps++) {
+    let steps = 0
+    let found = false
+    // How far it looks to both sides, as columns and rows.
+    let columns = 0
+    let rows = 0
+    let ways = onward
+    while (!found && (ways & onward) !== 0) {
       cell += offset
+      steps++
       acrossLine += acrossStep
       downLine += downStep
-      const ways = successors[(d << 8) | legal[cell]]
-      if ((ways & ~natural) !== 0) return steps
-      if ((ways >> across) & 1 && runAlong(acrossMarks, acrossLine, acrossPlace + steps) > 0) {
-        return steps
+      ways = successors[(d << 8) | legal[cell]]
+      found = (ways & ~natural) !== 0
+      if ((ways >> across) & 1) {
+        const run = runAlong(acrossMarks, acrossLine, acrossPlace + steps)
+        columns = Math.max(columns, steps + Math.abs(run))
+        if (run > 0) found = true
       }
-      if ((ways >> down) & 1 && runAlong(downMarks, downLine, downPlace + steps) > 0) return steps
-      if ((ways & onward) === 0) {
-        this.#found = false
-        return steps
+      if ((ways >> down) & 1) {
+        const run = runAlong(downMarks, downLine, downPlace + steps)
+        rows = Math.max(rows, steps + Math.abs(run))
+        if (run > 0) found = true
       }
     }
+    this.#found = found
+    this.#see(x + columns * dx, y + rows * dy)
+    return steps
   }
 }

@@ -14,9 +14,9 @@ export class Vertices {
   tried = new Uint8Array(ROOM)
   leading = new Uint8Array(ROOM)
   followed = new Uint8Array(ROOM)
-  /** How many columns or rows away the jumps that were tried looked, and all on the ways followed. */
-  views = new Int16Array(ROOM)
-  farViews = new Int16Array(ROOM)
+  /** What the jumps that were tried looked at, and all on the ways followed. */
+  views = new Int32Array(ROOM)
+  farViews = new Int32Array(ROOM)
   /** The first of the edges from here, counted from 1; 0 if there is none. */
   edges = new Int32Array(ROOM)
   /** `cell << 8 | legal steps` */
@@ -60,8 +60,8 @@ export class Vertices {
     this.tried = larger(this.tried, new Uint8Array(room))
     this.leading = larger(this.leading, new Uint8Array(room))
     this.followed = larger(this.followed, new Uint8Array(room))
-    this.views = larger(this.views, new Int16Array(room))
-    this.farViews = larger(this.farViews, new Int16Array(room))
+    this.views = larger(this.views, new Int32Array(room))
+    this.farViews = larger(this.farViews, new Int32Array(room))
     this.edges = larger(this.edges, new Int32Array(room))
     this.#places = larger(this.#places, new Int32Array(room))
     this.states = larger(this.states, new Uint16Array(room))
