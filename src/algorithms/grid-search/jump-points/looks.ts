@@ -128,32 +128,33 @@ export class Looks {
     const acrossPlace = acrossRuns.first + x * dx + 1
     const downPlace = downRuns.first + y * dy + 1
 
+    this.#found = true
     let cell = from
-    let steps = 0
-    let found = false
-    // How far it looks to both sides, as columns and rows.
+    // How far it looks to both sides in vain, as columns and rows.
     let columns = 0
     let rows = 0
-    let ways = onward
-    while (!found && (ways & onward) !== 0) {
+    let steps = 1
+    for (; ; steps++) {
       cell += offset
-      steps++
       acrossLine += acrossStep
       downLine += downStep
-      ways = successors[(d << 8) | legal[cell]]
-      found = (ways & ~natural) !== 0
+      const ways = successors[(d << 8) | legal[cell]]
+      if ((ways & ~natural) !== 0) break
       if ((ways >> across) & 1) {
         const run = runAlong(acrossMarks, acrossLine, acrossPlace + steps)
-        columns = Math.max(columns, steps + Math.abs(run))
-        if (run > 0) found = true
+        if (run > 0) break
+        columns = Math.max(columns, steps - run)
       }
       if ((ways >> down) & 1) {
         const run = runAlong(downMarks, downLine, downPlace + steps)
-        rows = Math.max(rows, steps + Math.abs(run))
-        if (run > 0) found = true
+        if (run > 0) break
+        rows = Math.max(rows, steps - run)
+      }
+      if ((ways & onward) === 0) {
+        this.#found = false
+        break
       }
     }
-    this.#found = found
     this.#see(x + columns * dx, y + rows * dy)
     return steps
   }
