@@ -15,7 +15,8 @@ export class Viewer {
   readonly #shift: number
 
   constructor({ width, height }: Size) {
-    this.#shift = Math.max(0, 25 - Math.clz32(Math.max(width, height)))
+    const last = Math.max(width, height) - 1
+    this.#shift = 32 - Math.clz32(last / MOST)
   }
 
   /** Of columns from `left` to `right` and rows from `top` to `bottom`, or up to a square more. */
