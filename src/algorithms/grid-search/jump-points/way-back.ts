@@ -36,21 +36,16 @@ export function wayBackOverJumps(
     let d = vertices.departure(choice)
     while (cell !== end) {
       const offset = offsets[d]
-      const row = d << 8
       const onward = 1 << d
       let ways = onward
       do {
         cell += offset
         path.push(cell)
-        ways = successors[row | legal[cell]]
-      } while (ways === onward && cell !== end)
-      if (cell === end) break
-      if ((ways & (ways - 1)) !== 0) {
-        const passed = graph.vertexAt(cell)
+        ways = successors[(d << 8) | legal[cell]]
         // Cells of a diagonal have ways to the sides that lead nowhere.
-        if (passed < 0) continue
-        ways = graph.leading(passed, ways, goalInSight)
-      }
+      } while ((ways & onward) !== 0 && cell !== end && graph.vertexAt(cell) < 0)
+      const passed = cell === end ? -1 : graph.vertexAt(cell)
+      if (passed >= 0) ways = graph.leading(passed, ways, goalInSight)
       d = 31 - Math.clz32(ways)
     }
   }
