@@ -1,7 +1,16 @@
 import { stepOffsets } from '../../grid/directions'
 import type { Directions } from '../../grid/steps'
 import { DIAGONAL_WEIGHT, weightsTo } from '../costs'
-import { CLOSED, DIRECTION_SHIFT, LEGAL, memoryFor, OPEN, openCells, STEPS } from './memory'
+import {
+  CLOSED,
+  DIRECTION_SHIFT,
+  LEGAL,
+  type Memory,
+  memoryFor,
+  OPEN,
+  openCells,
+  STEPS,
+} from './memory'
 import { Recorder } from './recorder'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
 import { NO_DIRECTION, successorsUnder } from './successors'
@@ -19,14 +28,23 @@ const STRAIGHT: Directions = 0b01010101
  * that they are taken first: after a straight one a way may not turn diagonal again unless around an
  * obstacle.
  */
-export function aStar({ problem, legal, cost, tape, lines, progress }: SearchTask): Found {
+export function aStar(task: SearchTask): Found {
+  const memory = memoryFor(task.legal.length)
+  const expanded = search(task, memory)
+  return { path: wayBack(task.problem, memory), expanded }
+}
+
+/** Closes cells up to the goal; returns how many. Nothing else is in here, so that it is compiled well. */
+function search(
+  { problem, legal, cost, tape, lines, progress }: SearchTask,
+  memory: Memory,
+): number {
   const { grid, start, goal, diagonal } = problem
   const cells = grid.walls.length
   const successors = successorsUnder(diagonal)
   const offsets = stepOffsets(grid.width)
   const diagonalWeight = DIAGONAL_WEIGHT[cost]
   const estimate = weightsTo(goal, cost, grid.width)
-  const memory = memoryFor(cells)
   const { states, weights } = memory
   const record = tape && new Recorder(tape, lines, cost)
   let expanded = 0
@@ -44,7 +62,7 @@ export function aStar({ problem, legal, cost, tape, lines, progress }: SearchTas
     if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
     if (cell === goal) {
       record?.closed(cell, 0, weight)
-      return { path: wayBack(start, goal, memory, offsets), expanded }
+      return expanded
     }
     let opened: Directions = 0
     let steps = successors[state & STEPS]
@@ -63,5 +81,5 @@ export function aStar({ problem, legal, cost, tape, lines, progress }: SearchTas
     }
     record?.closed(cell, opened, weight)
   }
-  return { path: new Int32Array(0), expanded }
+  return expanded
 }

@@ -1,7 +1,7 @@
 import { stepOffsets } from '../../grid/directions'
 import type { Directions } from '../../grid/steps'
 import { DIAGONAL_WEIGHT } from '../costs'
-import { CLOSED, DIRECTION_SHIFT, LEGAL, memoryFor, OPEN, STEPS, UNIT } from './memory'
+import { CLOSED, DIRECTION_SHIFT, LEGAL, type Memory, memoryFor, OPEN, STEPS, UNIT } from './memory'
 import { Recorder } from './recorder'
 import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
 import { NO_DIRECTION, successorsUnder } from './successors'
@@ -12,15 +12,26 @@ import { wayBack } from './way-back'
  * less than that, so the cells of one bucket cannot improve each other, any order among them is
  * right, and three buckets in turn hold all that wait. (R. B. Dial, 1969.)
  */
-export function dijkstra({ problem, legal, cost, tape, lines, progress }: SearchTask): Found {
+export function dijkstra(task: SearchTask): Found {
+  const memory = memoryFor(task.legal.length)
+  const expanded = search(task, memory)
+  return { path: wayBack(task.problem, memory), expanded }
+}
+
+/** Closes cells up to the goal; returns how many. Nothing else is in here, so that it is compiled well. */
+function search(
+  { problem, legal, cost, tape, lines, progress }: SearchTask,
+  memory: Memory,
+): number {
   const { grid, start, goal, diagonal } = problem
   const cells = grid.walls.length
   const successors = successorsUnder(diagonal)
   const offsets = stepOffsets(grid.width)
   const diagonalWeight = (DIAGONAL_WEIGHT[cost] * UNIT) | 0
-  const memory = memoryFor(cells)
   const { states, wholeWeights: weights } = memory
-  let [bucket, next, afterNext] = memory.buckets
+  let bucket = memory.buckets[0]
+  let next = memory.buckets[1]
+  let afterNext = memory.buckets[2]
   const record = tape && new Recorder(tape, lines, cost)
   let expanded = 0
   states.set(legal)
@@ -49,7 +60,7 @@ export function dijkstra({ problem, legal, cost, tape, lines, progress }: Search
       if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
       if (cell === goal) {
         record?.closed(cell, 0, units + (weight - least) / UNIT)
-        return { path: wayBack(start, goal, memory, offsets), expanded }
+        return expanded
       }
       let opened: Directions = 0
       let steps = successors[state & STEPS]
@@ -77,5 +88,5 @@ export function dijkstra({ problem, legal, cost, tape, lines, progress }: Search
     next = afterNext
     afterNext = empty
   }
-  return { path: new Int32Array(0), expanded }
+  return expanded
 }

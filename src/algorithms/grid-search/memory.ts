@@ -9,6 +9,7 @@ export const OPEN = 1 << 12
 export const CLOSED = 1 << 13
 export const LEGAL = 255
 export const DIRECTION_SHIFT = 8
+export const DIRECTION = 15 << DIRECTION_SHIFT
 /** Direction and legal steps: where its successors stand in their table. */
 export const STEPS = 0xfff
 
