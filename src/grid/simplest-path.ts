@@ -1,5 +1,5 @@
 import { type Direction, DX, DY, directionOf } from './directions'
-import { type Cell, type Point, rowOf } from './grid'
+import type { Cell, Point } from './grid'
 
 /**
  * The simplest path (the report's "dummy path") goes diagonally while both axes differ and then
@@ -26,15 +26,6 @@ export function simplestPathCost(a: Cell, b: Cell, width: number, diagonalCost: 
 /** The same by how many columns and rows they are apart; a diagonal step costs 1 + `more`. */
 export function costAcross(across: number, down: number, more: number): number {
   return across > down ? across + more * down : down + more * across
-}
-
-/**
- * `distance` between cells, for inner loops.
- * @param share 1 / width of the map
- */
-export function cellDistance(a: Cell, b: Cell, width: number, share: number): number {
-  const rows = rowOf(b, share) - rowOf(a, share)
-  return Math.max(Math.abs(rows), Math.abs(b - a - rows * width))
 }
 
 /** Not by `Math.hypot`, which every engine may round in its own way; a root is the same everywhere. */

@@ -61,6 +61,7 @@ export function jumpPointSearch({
     }
     const ways = graph.ways(vertex, directionIn(state))
     graph.explore(vertex, ways)
+    // What is known holds without a goal: ways that may have it in sight are followed anew.
     if (covers(vertices.farViews[vertex], goalInSight.view)) {
       let edge = vertices.edges[vertex] - 1
       for (let d = 0; d < 8; d++) {

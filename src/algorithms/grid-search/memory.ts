@@ -14,7 +14,7 @@ export const DIRECTION = 15 << DIRECTION_SHIFT
 export const STEPS = 0xfff
 
 /** The direction in a state. */
-export const directionIn = (state: number): number => (state & STEPS) >> DIRECTION_SHIFT
+export const directionIn = (state: number): number => (state & DIRECTION) >> DIRECTION_SHIFT
 
 /**
  * A unit of weight, where weights are whole numbers, modulo 2^32: those of cells that wait differ by

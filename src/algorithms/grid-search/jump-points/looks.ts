@@ -130,7 +130,8 @@ export class Looks {
 
     this.#found = true
     let cell = from
-    // How far it looks to both sides in vain, as columns and rows.
+    // How far it looks to both sides in vain, as columns and rows. From where it stops, who goes on
+    // looks to the sides.
     let columns = 0
     let rows = 0
     let steps = 1
