@@ -104,3 +104,14 @@ test('large numbers have their thousands set apart on axes and beneath lists, to
   const more = page.getByRole('button', { name: /^Show 20 more of 1,\d{3}$/ })
   await expect(more).toBeVisible()
 })
+
+test('of results out of which rows were taken, the maps that are left are counted', async ({
+  page,
+}) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  const rows = [1, 4].flatMap((map) => runMap(SMALL, map)).filter(({ setting }) => setting < 2)
+  const text = resultsToLines({ settings: SMALL, shard: { index: 1, of: 1 }, rows })
+  await experiments.openFile('some.jsonl', text)
+  await expect(page.getByText('2 of 42 maps, 4 runs, seed 3.', { exact: true })).toBeVisible()
+})
