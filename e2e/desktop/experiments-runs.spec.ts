@@ -82,3 +82,36 @@ test('a run is not lost by leaving the page without a question', async ({ page }
   await expect(page.locator('#map')).toBeVisible()
   expect(asked).toHaveLength(1)
 })
+
+test('large numbers have their thousands set apart on axes and beneath lists, too', async ({
+  page,
+}) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  await experiments.run({
+    ...SMALL,
+    families: [{ family: 'random', params: { density: [30] } }],
+    sizes: [[12, 12]],
+    mapsPerCombination: 2500,
+    planners: [{ planner: 'probabilistic-roadmap', params: { samples: [1, 1000] } }],
+  })
+  const chart = page.getByRole('region', { name: 'Probabilistic roadmap: success over samples' })
+  await expect(chart.locator('svg text').filter({ hasText: /^1,000$/ })).toHaveCount(1)
+  await expect(chart.getByRole('button', { name: /^1 sample: / })).toHaveCount(1)
+  await expect(chart.getByRole('button', { name: /^1,000 samples: / })).toHaveCount(1)
+  const failed = page.getByRole('table', { name: 'Results by planner' }).getByRole('button')
+  await failed.filter({ hasText: /^1,\d{3}$/ }).click()
+  const more = page.getByRole('button', { name: /^Show 20 more of 1,\d{3}$/ })
+  await expect(more).toBeVisible()
+})
+
+test('of results out of which rows were taken, the maps that are left are counted', async ({
+  page,
+}) => {
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  const rows = [1, 4].flatMap((map) => runMap(SMALL, map)).filter(({ setting }) => setting < 2)
+  const text = resultsToLines({ settings: SMALL, shard: { index: 1, of: 1 }, rows })
+  await experiments.openFile('some.jsonl', text)
+  await expect(page.getByText('2 of 42 maps, 4 runs, seed 3.', { exact: true })).toBeVisible()
+})

@@ -2,7 +2,7 @@ import type { Locator, Page } from '@playwright/test'
 import { chooseFromMapMenu, unfold } from '../actions'
 import { expect, test } from '../fixtures'
 import { hiddenParts } from '../hidden-parts'
-import { openScenario, playback, reasons, scrubber } from '../steps'
+import { currentLine, openScenario, playback, reasons, scrubber } from '../steps'
 
 const SIZES = [
   { name: 'a phone held sideways', width: 844, height: 390 },
@@ -84,6 +84,70 @@ for (const size of [
     await page.getByRole('button', { name: 'Fold the card of steps' }).click()
     await expect(playback(page)).toBeInViewport({ ratio: 1 })
     await expectPlaybackInReach(page)
+  })
+}
+
+const foldSteps = (page: Page) => page.getByRole('button', { name: 'Fold the card of steps' })
+const foldComparison = (page: Page) => page.getByRole('button', { name: 'Fold the comparison' })
+
+for (const size of [
+  { width: 1366, height: 500 },
+  { width: 900, height: 600 },
+  { width: 853, height: 480 },
+  { width: 640, height: 360 },
+]) {
+  const name = `${size.width} × ${size.height}`
+  test(`in a window of ${name} the comparison and the steps take turns`, async ({ page }) => {
+    await page.setViewportSize(size)
+    const comparison = page.getByRole('region', { name: 'Comparison of planners' })
+    const firstRow = comparison.getByRole('row', { name: /^Grid decomposition/ })
+    const compare = page.getByRole('button', { name: 'Compare planners' })
+    await foldSteps(page).click()
+    await expect(foldSteps(page)).toHaveAttribute('aria-expanded', 'true')
+    await compare.click()
+    await expect(foldSteps(page)).toHaveAttribute('aria-expanded', 'false')
+    await expect(firstRow).toBeInViewport({ ratio: 0.3 })
+    await foldSteps(page).click()
+    await expect(foldComparison(page)).toHaveAttribute('aria-expanded', 'false')
+    await expect(firstRow).toBeHidden()
+    await expect(currentLine(page)).toBeInViewport({ ratio: 0.9 })
+    await expectPlaybackInReach(page)
+    // One that comes again comes unfolded.
+    await compare.click()
+    await compare.click()
+    await expect(firstRow).toBeInViewport({ ratio: 0.3 })
+  })
+}
+
+test('a comparison that is folded leaves its head only, below the steps', async ({ page }) => {
+  await page.setViewportSize({ width: 1366, height: 768 })
+  const comparison = page.getByRole('region', { name: 'Comparison of planners' })
+  await page.getByRole('button', { name: 'Compare planners' }).click()
+  await expect(comparison.getByRole('table')).toBeVisible()
+  await foldComparison(page).click()
+  await expect(comparison.getByRole('table')).toBeHidden()
+  await expect(foldSteps(page)).toHaveAttribute('aria-expanded', 'true')
+  expect(await overlaps(page)).toEqual([])
+  await foldComparison(page).click()
+  await expect(comparison.getByRole('table')).toBeVisible()
+})
+
+for (const size of [
+  { width: 1280, height: 720, compared: true },
+  { width: 1024, height: 768, compared: false },
+  { width: 853, height: 480, compared: false },
+  { width: 390, height: 667, compared: false },
+]) {
+  const beside = size.compared ? ' beside the comparison' : ''
+  test(`the line of the step is in sight in ${size.width} × ${size.height}${beside}`, async ({
+    page,
+  }) => {
+    await page.setViewportSize(size)
+    if (size.compared) await page.getByRole('button', { name: 'Compare planners' }).click()
+    const isOpen = (await foldSteps(page).getAttribute('aria-expanded')) === 'true'
+    if (!isOpen) await foldSteps(page).click()
+    await expect(currentLine(page)).toHaveText('as soon as the goal is met: done')
+    await expect(currentLine(page)).toBeInViewport({ ratio: 0.9 })
   })
 }
 

@@ -12,6 +12,7 @@ import {
 import {
   choosePlanner,
   expectResult,
+  expectSaid,
   openMap,
   paramControl,
   plannerSelect,
@@ -163,6 +164,17 @@ test('an empty number of samples stands for the number of columns', async ({ map
   const outcome = plan(problemFromText(ROWS), 'probabilistic-roadmap')
   await expect(map.element).toHaveAttribute('data-status', outcome.status)
   await expect(map.element).toHaveAttribute('data-cells', String(outcome.path.length))
+})
+
+test('a number that was entered is said with its thousands set apart', async ({ page }) => {
+  await choosePlanner(page, 'Probabilistic roadmap')
+  await paramControl(page, 'Samples').fill('12345')
+  await page.keyboard.press('Enter')
+  await expectSaid(page, /^Samples: 12,345\. /)
+  await choosePlanner(page, 'Potential field')
+  await paramControl(page, 'Repulsive value').fill('1234.56789')
+  await page.keyboard.press('Enter')
+  await expectSaid(page, /^Repulsive value: 1,234\.56789\. /)
 })
 
 test('the diagonal rule holds for every planner', async ({ map, page }) => {

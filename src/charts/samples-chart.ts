@@ -1,14 +1,15 @@
 import type { Row } from '../experiments/row'
 import { roadmapBySamples } from '../experiments/summary/samples'
+import { plural } from '../grid/plural'
 import type { Chart } from './chart'
-import { millisecondsInWords, percent, ratioInWords, successInWords } from './words'
+import { count, millisecondsInWords, percent, ratioInWords, successInWords } from './words'
 
 /** What more samples of a probabilistic roadmap bring, and what they cost. */
 export function samplesChart(rows: readonly Row[]): Chart {
   const curves = roadmapBySamples(rows)
   const points = curves.flatMap((curve, series) =>
     curve.points.map((point) => {
-      const samples = `${point.samples} samples`
+      const samples = `${count(point.samples)} ${plural(point.samples, 'sample')}`
       const words = curves.length > 1 ? `${curve.name}, ${samples}` : samples
       return { ...point, series, name: curve.name, words }
     }),
@@ -41,7 +42,7 @@ export function samplesChart(rows: readonly Row[]): Chart {
       columns: ['Settings', 'Samples', 'Reached', 'Median ratio', 'Median time'],
       rows: points.map(({ name, samples, success, ratio, milliseconds }) => [
         name,
-        String(samples),
+        count(samples),
         successInWords(success),
         ratioInWords(ratio.quantiles.median),
         millisecondsInWords(milliseconds.median),

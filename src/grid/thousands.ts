@@ -1,2 +1,3 @@
-/** "1,234.5" for "1234.5". @param digits with three decimals at most */
-export const inThousands = (digits: string): string => digits.replace(/\B(?=(\d{3})+(\.|$))/g, ',')
+/** "1,234.5" for "1234.5". Only the whole part is set apart, however many decimals there are. */
+export const inThousands = (digits: string): string =>
+  digits.replace(/^-?\d+/, (whole) => whole.replace(/\B(?=(\d{3})+$)/g, ','))

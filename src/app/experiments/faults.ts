@@ -37,8 +37,12 @@ export function checkDraft(draft: Draft): Checked {
 function faultIn(message: string): Fault {
   const [, field, text] = /^([a-z]+(?:\.\w+|\[\d+\])*): (.*)$/is.exec(message) ?? []
   if (field === undefined) return { field: '', text: message }
-  return { field, text: capitalised(text) }
+  return { field, text: capitalised(text.replace(SIZE_IN_FILES, SIZE_HERE)) }
 }
+
+/** A size as settings files have it, and as it is typed. */
+const SIZE_IN_FILES = '[width, height]'
+const SIZE_HERE = 'a size such as 40×30'
 
 /** The one of the fields that a fault is shown at: its own, or the nearest that it lies within. */
 export function fieldFor(fault: Fault, fields: Iterable<string>): string | null {

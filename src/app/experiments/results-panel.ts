@@ -47,9 +47,10 @@ export function resultsPanel(
   }
 }
 
-function aboutInWords({ maps, total, results: { settings, shard, rows } }: Shown): string {
-  const all = countInWords(total, 'map')
-  const part = maps < total ? `The first ${numberInWords(maps)} of ${all}` : all
+function aboutInWords({ results: { settings, shard, rows }, ...shown }: Shown): string {
+  const all = countInWords(shown.total, 'map')
+  const some = `${shown.areFirst ? 'The first ' : ''}${numberInWords(shown.maps)} of ${all}`
+  const part = shown.maps < shown.total ? some : all
   const whose = shard.of > 1 ? ` of shard ${shard.index}/${shard.of}` : ''
   return `${part}${whose}, ${countInWords(rows.length, 'run')}, seed ${settings.seed}.`
 }

@@ -40,7 +40,8 @@ function listOf(settings: ExperimentSettings, { title, rows }: RunList): HTMLEle
     list.append(...next)
     shown += next.length
     more.hidden = shown === rows.length
-    setText(more, `Show ${Math.min(AT_A_TIME, rows.length - shown)} more of ${rows.length - shown}`)
+    const left = rows.length - shown
+    setText(more, `Show ${Math.min(AT_A_TIME, left)} more of ${numberInWords(left)}`)
     return next[0]
   }
   more.addEventListener('click', () => showMore()?.querySelector('a')?.focus())

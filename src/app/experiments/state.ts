@@ -19,6 +19,8 @@ export type Run =
 export interface Shown {
   readonly results: Results
   readonly maps: number
+  /** Whether no map before the last of them is missing. */
+  readonly areFirst: boolean
   readonly total: number
 }
 

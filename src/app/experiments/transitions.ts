@@ -88,15 +88,19 @@ export function progressInWords({ done, total, left }: Extract<Run, { kind: 'run
   return left === null ? maps : `${maps}, ${durationInWords(left)} left`
 }
 
-/** Shows results, of all maps or of the first ones only. A run goes on meanwhile. */
+/**
+ * Shows results, of all maps or of some: a run may have been cancelled, and of a file rows may have been
+ * taken out. A run goes on meanwhile.
+ */
 export function showResults(state: PageState, results: Results): PageState {
-  const { maps: all, settings } = countWork(results.settings)
-  const { first, end } = rangeOfShard(results.shard, all)
-  const maps = Math.floor(results.rows.length / settings)
+  const { rows } = results
+  const { first, end } = rangeOfShard(results.shard, countWork(results.settings).maps)
+  const maps = rows.filter(({ map }, i) => map !== rows[i - 1]?.map).length
+  const last = rows.at(-1)?.map ?? -1
   const text = `Results of ${countInWords(maps, 'map')}.`
   return {
     ...state,
-    shown: { results, maps, total: end - first },
+    shown: { results, maps, areFirst: last === first + maps - 1, total: end - first },
     hidden: namesLeftOut(results.settings),
     said: text,
   }

@@ -6,6 +6,8 @@ const NARROW = '(max-width: 640px)'
 const SMALL = '(max-width: 640px), (max-height: 560px)'
 /** And below this one those that come second. */
 const MEDIUM = '(max-width: 1100px), (max-height: 680px)'
+/** Within these there is no room for both of two open cards that stand one above the other. */
+const LOW = '(max-width: 1100px) and (max-height: 680px), (max-height: 620px)'
 
 const KEY_STEP = 16
 const LARGE_KEY_STEP = 96
@@ -35,6 +37,7 @@ export class Cards {
   readonly #narrow = window.matchMedia(NARROW)
   readonly #small = window.matchMedia(SMALL)
   readonly #medium = window.matchMedia(MEDIUM)
+  readonly #low = window.matchMedia(LOW)
   #highest = 10
   readonly #changed: (byUser: boolean) => void
 
@@ -45,7 +48,7 @@ export class Cards {
     for (const card of this.#cards) this.#bind(card)
     const observer = new ResizeObserver(() => changed(false))
     for (const cover of this.#covers) observer.observe(cover)
-    for (const media of [this.#narrow, this.#small, this.#medium]) {
+    for (const media of [this.#narrow, this.#small, this.#medium, this.#low]) {
       media.addEventListener('change', () => this.#rearrange())
     }
     this.#rearrange()
@@ -80,9 +83,9 @@ export class Cards {
     fold?.addEventListener('click', () => {
       const isOpen = fold.getAttribute('aria-expanded') === 'true'
       this.#fold(card, isOpen)
-      if (isOpen || !this.#narrow.matches) return
+      if (isOpen) return
       this.#foldOthers(card)
-      card.scrollIntoView({ block: 'nearest' })
+      if (this.#narrow.matches) card.scrollIntoView({ block: 'nearest' })
     })
     // A finger hits the whole bar more easily than the button at its end.
     grip?.addEventListener('click', ({ target }) => {
@@ -164,9 +167,13 @@ export class Cards {
     this.#changed(true)
   }
 
+  /** Folds the cards for which one that was opened leaves no room. */
   #foldOthers(open: HTMLElement): void {
+    const inTheWay = (card: HTMLElement) =>
+      this.#narrow.matches || (this.#low.matches && isStacked(card) && isStacked(open))
     for (const card of this.#cards) {
-      if (card !== open && card.classList.contains('panel')) this.#fold(card, true)
+      if (card !== open && card.classList.contains('panel') && inTheWay(card))
+        this.#fold(card, true)
     }
   }
 
@@ -174,7 +181,12 @@ export class Cards {
     for (const card of this.#cards) {
       this.#putBack(card)
       const beginsFolded = 'second' in card.dataset ? this.#medium : this.#small
-      if (card.classList.contains('panel')) this.#fold(card, beginsFolded.matches)
+      // What is not there is opened when it comes, so that others make room for it.
+      const isFolded = beginsFolded.matches || card.hidden !== false
+      if (card.classList.contains('panel')) this.#fold(card, isFolded)
     }
   }
 }
+
+/** Whether it stands above or below others, where it was put at first. */
+const isStacked = ({ dataset }: HTMLElement): boolean => 'stacked' in dataset && !dataset.moved

@@ -37,7 +37,7 @@ export function compareCard(store: Store<State>, rearranged: () => void): (state
     button.setAttribute('aria-pressed', String(comparison.isOn))
     if (card.hidden === comparison.isOn) {
       card.hidden = !comparison.isOn
-      if (comparison.isOn) unfold(card)
+      fold(card, !comparison.isOn)
       rearranged()
     }
     setText(fault, comparison.fault)
@@ -47,8 +47,8 @@ export function compareCard(store: Store<State>, rearranged: () => void): (state
   }
 }
 
-/** By its own button, so that on a phone the other cards are folded. */
-function unfold(card: HTMLElement): void {
-  const fold = card.querySelector<HTMLElement>('[data-fold]')
-  if (fold?.getAttribute('aria-expanded') === 'false') fold.click()
+/** By its own button, so that other cards are folded where there is no room for both. */
+function fold(card: HTMLElement, folded: boolean): void {
+  const button = card.querySelector<HTMLElement>('[data-fold]')
+  if (button?.getAttribute('aria-expanded') === String(folded)) button.click()
 }

@@ -1,5 +1,6 @@
 import { defaultOf, type Param, type ParamValue } from '../../algorithms/params'
 import type { AnyPlanner } from '../../algorithms/planner'
+import { inThousands } from '../../grid/thousands'
 import { plannerOf, type Setup, settingsOf, withParam } from '../state/setup'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
@@ -54,7 +55,8 @@ function numberRow(
 ): ParamRow {
   const { name, default: usual } = param
   const isAutomatic = typeof usual === 'function'
-  const automatic = (setup: Setup) => `${defaultOf(param, setup.problem)} (automatic)`
+  const inWords = (value: ParamValue) => inThousands(String(value))
+  const automatic = (setup: Setup) => `${inWords(defaultOf(param, setup.problem))} (automatic)`
   const field = numberField(
     {
       ...param,
@@ -65,7 +67,9 @@ function numberRow(
       edited: (value) =>
         store.update((state) => edit(state, withParam(state.setup, plannerId, name, value))),
       done: () =>
-        store.update((state) => commit(state, `${param.label}: ${settingOf(state.setup, param)}.`)),
+        store.update((state) =>
+          commit(state, `${param.label}: ${inWords(settingOf(state.setup, param))}.`),
+        ),
     },
   )
   return {

@@ -97,7 +97,7 @@ describe('what is wrong with the form', () => {
     [{ seed: '' }, 'seed', /whole number/],
     [{ seed: '-1' }, 'seed', /whole number.*-1/],
     [{ sizes: '40, 1' }, 'sizes[1][0]', /from 2 to 2048/],
-    [{ sizes: 'wide' }, 'sizes[0]', /\[width, height\].*"wide"/],
+    [{ sizes: 'wide' }, 'sizes[0]', /^Must be a size such as 40×30, but is "wide"/],
     [{ sizes: '' }, 'sizes', /at least one size/],
     [{ mapsPerCombination: '1.5' }, 'mapsPerCombination', /whole number/],
     [{ leastDistance: '40' }, 'leastDistance', /no two cells are more than 39 apart/],

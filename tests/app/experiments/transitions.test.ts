@@ -61,7 +61,17 @@ describe('the state of the page', () => {
     const perMap = countWork(settings).settings
     const ended = runEnded(running, { ...results, rows: rows.slice(0, 5 * perMap + 1) })
     expect(ended.run.kind).toBe('idle')
-    expect(ended.shown).toMatchObject({ maps: 5, total: countWork(settings).maps })
+    const { maps } = countWork(settings)
+    expect(ended.shown).toMatchObject({ maps: 6, areFirst: true, total: maps })
+  })
+
+  it('counts the maps of results out of which rows were taken', () => {
+    const { maps } = countWork(settings)
+    const of = (some: typeof rows) => showResults(state, { ...results, rows: some }).shown
+    expect(of(rows.filter(({ setting }) => setting === 0))).toMatchObject({ maps, total: maps })
+    const few = rows.filter(({ map }) => map === 1 || map === 4)
+    expect(of(few)).toMatchObject({ maps: 2, areFirst: false, total: maps })
+    expect(of([])).toMatchObject({ maps: 0 })
   })
 
   it('keeps the results of the run before if none of this are there', () => {
@@ -84,6 +94,7 @@ describe('the state of the page', () => {
     const { shown } = showResults(state, { settings, shard, rows: own })
     expect(shown?.maps).toBeGreaterThan(1)
     expect(shown?.total).toBe(shown?.maps)
+    expect(shown?.areFirst).toBe(true)
   })
 
   it('begins with few enough lines where planners have many settings', () => {
