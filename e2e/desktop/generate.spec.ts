@@ -1,5 +1,6 @@
 import type { Locator, Page } from '@playwright/test'
 import { generators } from '../../src/grid/generators'
+import { maze } from '../../src/grid/generators/maze'
 import { chooseFromMapMenu, drawnRows, expectSettled, saveMap } from '../actions'
 import { expect, test } from '../fixtures'
 
@@ -68,4 +69,55 @@ test('the dice throws another seed', async ({ page }) => {
     seeds.add(await seed.inputValue())
   }
   expect(seeds.size).toBeGreaterThan(2)
+})
+
+test.describe('a large map, while its worker is at work', () => {
+  /** Asks for a map that comes only once `release` is called. */
+  async function generateLarge(page: Page): Promise<{ release: () => void }> {
+    const held: (() => void)[] = []
+    await page.route(/generate-worker/, (route) => {
+      held.push(() => void route.continue())
+    })
+    const dialog = await fillIn(page, 'Maze', 7)
+    await dialog.getByLabel('Width').fill('300')
+    await dialog.getByLabel('Height').fill('301')
+    await dialog.getByRole('button', { name: 'Generate' }).click()
+    await expect(dialog).toBeHidden()
+    await expect(page.getByRole('progressbar', { name: 'Generating…' })).toBeVisible()
+    return { release: () => held.map((go) => go()) }
+  }
+
+  test('is waited for, with the page as it was, and undo leads back', async ({ map, page }) => {
+    const before = await drawnRows(page)
+    const { release } = await generateLarge(page)
+    await expectSettled(page)
+    expect(await drawnRows(page)).toEqual(before)
+    release()
+    await expect(map.element).toHaveAttribute('data-width', '300')
+    await expect(page.getByText('Generating…')).toBeHidden()
+    const { grid } = maze.generate({ width: 300, height: 301 }, {}, 7, 'if-at-most-one-obstacle')
+    expect(wallsOf(await drawnRows(page))).toEqual([...grid.walls])
+    await page.keyboard.press('Control+z')
+    expect(await drawnRows(page)).toEqual(before)
+  })
+
+  test('can be cancelled', async ({ page }) => {
+    const before = await drawnRows(page)
+    await generateLarge(page)
+    await page.getByRole('button', { name: 'Cancel' }).click()
+    await expect(page.getByText('Cancelled.')).toBeVisible()
+    await expect(page.getByText('Generating…')).toBeHidden()
+    expect(await drawnRows(page)).toEqual(before)
+  })
+
+  test('does not come in the place of what is drawn meanwhile', async ({ map, page }) => {
+    const before = await drawnRows(page)
+    await generateLarge(page)
+    await map.click([0, 0])
+    await expect(page.getByText('the one on screen was changed meanwhile')).toBeVisible()
+    await expect(page.getByText('Generating…')).toBeHidden()
+    const after = await drawnRows(page)
+    expect(after).not.toEqual(before)
+    expect(after.length).toBe(before.length)
+  })
 })

@@ -31,6 +31,19 @@ test('an empty map of any size', async ({ map, page }) => {
   await expectResult(page, /^Reached/)
 })
 
+test('opened again it holds the size on screen, whatever was typed before', async ({ page }) => {
+  const dialog = dialogOf(page)
+  const sizes = [dialog.getByLabel('Width'), dialog.getByLabel('Height')]
+  for (const typed of ['', '12', '5000']) {
+    if (typed) await sizes[0].fill(typed)
+    await dialog.getByRole('button', { name: 'Cancel' }).click()
+    await chooseFromMapMenu(page, 'New…')
+    await expect(sizes[0]).toHaveValue('10')
+    await expect(sizes[1]).toHaveValue('3')
+    await expect(sizes[0]).not.toHaveAttribute('aria-invalid')
+  }
+})
+
 test('the drawing is kept, cut and extended', async ({ page }) => {
   await page.getByText('Keep the drawing').click()
   await dialogOf(page).getByLabel('Width').fill('5')

@@ -110,6 +110,37 @@ test('the picture as it stands is saved as PNG', async ({ page }) => {
   expect(await atBeginning(1, 10)).toBe(theme.obstacle.unsensed)
 })
 
+test('the page goes on between the parts of making a PNG', async ({ page }) => {
+  const done = await page.evaluateHandle((width) => {
+    const log: string[] = []
+    const note = (part: string) => {
+      if (part === 'rest' || !log.includes(part)) log.push(part)
+    }
+    const { fillRect, putImageData } = CanvasRenderingContext2D.prototype
+    CanvasRenderingContext2D.prototype.fillRect = function (...box) {
+      if (this.canvas.width === width) note('canvas')
+      fillRect.apply(this, box)
+    }
+    CanvasRenderingContext2D.prototype.putImageData = function (...args: unknown[]) {
+      note('cells')
+      Reflect.apply(putImageData, this, args)
+    }
+    const { toBlob } = HTMLCanvasElement.prototype
+    HTMLCanvasElement.prototype.toBlob = function (...args) {
+      note('file')
+      toBlob.apply(this, args)
+    }
+    const { postMessage } = MessagePort.prototype
+    MessagePort.prototype.postMessage = function (...args: unknown[]) {
+      note('rest')
+      Reflect.apply(postMessage, this, args)
+    }
+    return log
+  }, PNG.width)
+  await save(page, 'Save picture (PNG)')
+  expect(await done.jsonValue()).toEqual(['canvas', 'rest', 'cells', 'rest', 'file'])
+})
+
 test('a picture of noise is not saved where the browser gives out nothing else', async ({
   page,
 }) => {

@@ -16,10 +16,11 @@ export function noteEdit(before: Uint8Array, walls: Uint8Array, cells: readonly 
 
 /**
  * The cells in which two maps of the same size may differ, maybe some of them more than once. Maps
- * of which one was made of the other, a few edits ago, need not be compared cell by cell.
+ * of which one was made of the other, a few edits ago, need not be compared cell by cell; where others
+ * differ in more than `most`, only some of these cells are given, more than `most`.
  */
-export function editedCells(before: Uint8Array, walls: Uint8Array): readonly Cell[] {
-  return notedCells(before, walls) ?? notedCells(walls, before) ?? differences(before, walls)
+export function editedCells(before: Uint8Array, walls: Uint8Array, most?: number): readonly Cell[] {
+  return notedCells(before, walls) ?? notedCells(walls, before) ?? differences(before, walls, most)
 }
 
 /** More edits than this, and it is as quick to compare. */

@@ -16,22 +16,23 @@ export function defaultEnds(grid: Grid): { start: Cell; goal: Cell } {
 
 /** The free cell other than `except` with the least Euclidean distance to (x, y); -1 if none. */
 export function nearestFreeCell(
-  { width, walls }: Grid,
+  { width, height, walls }: Grid,
   x: number,
   y: number,
   except: Cell = -1,
 ): Cell {
   let nearest = -1
   let least = Number.POSITIVE_INFINITY
-  for (let cell = 0; cell < walls.length; cell++) {
-    if (walls[cell] || cell === except) continue
-    const column = cell % width
-    const dx = column - x
-    const dy = (cell - column) / width - y
-    const square = dx * dx + dy * dy
-    if (square >= least) continue
-    nearest = cell
-    least = square
+  for (let row = 0; row < height; row++) {
+    const down = (row - y) ** 2
+    if (down >= least) continue
+    for (let column = 0, cell = row * width; column < width; column++, cell++) {
+      if (walls[cell] || cell === except) continue
+      const square = (column - x) * (column - x) + down
+      if (square >= least) continue
+      nearest = cell
+      least = square
+    }
   }
   return nearest
 }

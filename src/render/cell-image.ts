@@ -1,3 +1,4 @@
+import { editedCells } from '../grid/edits'
 import { type Cell, isSameSize, type Size } from '../grid/grid'
 import type { Field, Frame } from '../trace/frame'
 import type { Tape } from '../trace/tape'
@@ -32,6 +33,9 @@ function paintedFrom(scene: Scene): Painted {
 
 /** With more events than this for each cell of the map, it is quicker to paint the whole map. */
 const MOST_EVENTS = 0.125
+
+/** A map that differs from the last one in more cells than this is another map, and no edit. */
+const MOST_EDITED = 2 ** 16
 
 /** Some events of a tape, up to `to`. */
 interface Stretch {
@@ -92,7 +96,8 @@ export class CellImage {
   }
 
   /**
-   * Brings the image up to date with the scene; edited cells at once, however little time there is.
+   * Brings the image up to date with the scene; edited cells at once, however little time there is,
+   * unless they are very many.
    * @returns the cells it painted: one box for each tile where it painted any
    */
   update(scene: Scene, priorities = ALL_AT_ONCE): readonly Box[] {
@@ -144,7 +149,10 @@ export class CellImage {
     for (const { tape, from, to } of stretches ?? []) {
       paintEvents(this.pixels, states, tape, from, to, painted)
     }
-    if (now.walls !== before.walls) paintEdits(this.pixels, states, before.walls, painted)
+    if (now.walls === before.walls) return
+    const edited = editedCells(before.walls, now.walls, MOST_EDITED)
+    if (edited.length > MOST_EDITED) this.#allAreLate()
+    else paintEdits(this.pixels, states, before.walls, edited, painted)
   }
 
   #paintLate(states: CellStates, { isInView, isTimeUp }: Priorities): void {

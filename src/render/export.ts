@@ -92,9 +92,13 @@ function canBeRead(): boolean {
 
 /**
  * The picture of the whole map as a PNG.
+ * @param rest lets the page go on. What is read of the frame is read between two rests: playing changes it
  * @throws Error if the browser cannot make a picture of this size, or gives out none
  */
-export async function pictureAsPng(scene: Scene): Promise<SavedPicture<Blob>> {
+export async function pictureAsPng(
+  scene: Scene,
+  rest: () => Promise<void>,
+): Promise<SavedPicture<Blob>> {
   if (!canBeRead()) {
     throw new Error(
       'To guard your privacy, this browser gives out noise for what a page draws. Allow this page to read its canvases, or save an SVG.',
@@ -102,15 +106,17 @@ export async function pictureAsPng(scene: Scene): Promise<SavedPicture<Blob>> {
   }
   const { place, width, height } = wholeMap(scene, cellSide(scene, PNG_CELL))
   const context = newContext(width, height)
+  context.fillStyle = scene.theme.outside
+  context.fillRect(0, 0, width, height)
+  await rest()
   const image = new CellImage()
   const cells = new CellCanvas()
   const painted = image.update(scene)
   cells.take(image.pixels, scene.problem.grid, painted)
-  context.fillStyle = scene.theme.outside
-  context.fillRect(0, 0, width, height)
   drawBorder(context, place, scene.theme)
   cells.draw(context, place)
   const isCrowded = drawUponCells(context, place, scene, image.fieldRange)
+  await rest()
   return new Promise((resolve, reject) => {
     context.canvas.toBlob((blob) => {
       if (blob) resolve({ content: blob, isCrowded })

@@ -1,5 +1,4 @@
 import { stepOffsets } from '../grid/directions'
-import { editedCells } from '../grid/edits'
 import type { Cell } from '../grid/grid'
 import { EVENT } from '../trace/events'
 import type { Frame } from '../trace/frame'
@@ -96,15 +95,16 @@ export function paintEvents(
   }
 }
 
-/** Paints the cells that were built up or cleared since `before`. */
+/** Paints those of the cells that were built up or cleared since `before`. */
 export function paintEdits(
   pixels: Uint32Array,
   states: CellStates,
   before: Uint8Array,
+  edited: readonly Cell[],
   painted: (cell: Cell) => void,
 ): void {
   const { walls } = states
-  for (const cell of editedCells(before, walls)) {
+  for (const cell of edited) {
     if (walls[cell] === before[cell]) continue
     pixels[cell] = cellPixel(states, cell)
     painted(cell)

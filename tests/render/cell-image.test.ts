@@ -164,6 +164,27 @@ describe('a map of many tiles, painted a few of them at a time', () => {
     }
   })
 
+  it('paints another map of the same size a few tiles at a time, and an edit of it at once', () => {
+    const image = new CellImage()
+    image.update(sceneOf(problem))
+    const others = problem.grid.walls.map((wall) => 1 - wall)
+    const other = { ...problem, grid: { ...problem.grid, walls: others } }
+    const boxes = image.update(sceneOf(other), { isInView: all, isTimeUp: timeFor(2) })
+    expect(boxes.map(({ left, top }) => [left, top])).toEqual([
+      [0, 0],
+      [256, 0],
+    ])
+    expect(image.isComplete).toBe(false)
+
+    const cell = 290 * WIDTH + 690
+    const edited = { ...other, grid: withCells(other.grid, [cell], others[cell] === 0) }
+    image.update(sceneOf(edited), { isInView: all, isTimeUp: all })
+    const now = colours(sceneOf(edited))
+    expect(image.pixels[cell]).toBe(now[cell])
+    image.update(sceneOf(edited))
+    expect(image.pixels).toEqual(now)
+  })
+
   it('ends with the latest scene, whatever came while it was late', () => {
     const random = randomNumbers(3)
     const player = new Player(tape)

@@ -1,10 +1,10 @@
 import { type Generator, generators } from '../../grid/generators'
 import { MAX_SEED } from '../../grid/random'
 import { byId, create, setText } from '../element'
+import { generatingFor } from '../generating/generating'
 import { type NumberField, numberField } from '../panels/fields'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
-import { attempt, changeMap } from '../state/transitions'
 import { formOf, newDialog } from './dialog'
 import markup from './generate.html?raw'
 import { sizeFields } from './size-fields'
@@ -13,6 +13,7 @@ import { sizeFields } from './size-fields'
 export function generateDialog(store: Store<State>): () => void {
   const element = newDialog('generate-dialog', markup)
   const form = formOf(element)
+  const generate = generatingFor(store)
   const kind = byId('generate-kind', HTMLSelectElement)
   const help = byId('generate-help', HTMLParagraphElement)
   const params = byId('generate-params', HTMLDivElement)
@@ -71,12 +72,10 @@ export function generateDialog(store: Store<State>): () => void {
     if (!chosenSize || chosenSeed === undefined) return event.preventDefault()
     const { width, height } = chosenSize
     const text = `${generator.title}, ${width} × ${height} cells, seed ${chosenSeed}.`
-    const generate = (state: State) => {
-      const { diagonal } = state.setup.problem
-      const problem = generator.generate(chosenSize, values, chosenSeed, diagonal)
-      return changeMap(state, { ...state.setup, problem }, text)
-    }
-    store.update((state) => attempt(state, generate))
+    generate(
+      { generatorId: generator.id, size: chosenSize, params: values, seed: chosenSeed },
+      text,
+    )
   })
 
   return () => {

@@ -25,8 +25,8 @@ export function sizeFields(prefix: string): SizeFields {
   return {
     elements: [width.element, height.element],
     show(size) {
-      width.show(size.width)
-      height.show(size.height)
+      width.showAnew(size.width)
+      height.showAnew(size.height)
     },
     check() {
       const size = { width: width.check(), height: height.check() }

@@ -39,8 +39,8 @@ export async function blobInSlices(
   return new Blob(slices)
 }
 
-/** Not by a timer: while the page is in the background those come once a second. */
-const nextTask = () =>
+/** Lets the page go on. Not by a timer: while the page is in the background those come once a second. */
+export const nextTask = () =>
   new Promise<void>((resolve) => {
     const { port1, port2 } = new MessageChannel()
     port1.onmessage = () => {

@@ -7,7 +7,7 @@ import { type State, visiblePlan } from '../state/state'
 import type { Store } from '../state/store'
 import { say } from '../state/transitions'
 import { leftOut } from '../words/thinning'
-import { blobInSlices } from './in-slices'
+import { blobInSlices, nextTask } from './in-slices'
 import { type Saved, saveFiles } from './save-files'
 import type { ShownWork } from './shown-work'
 
@@ -45,7 +45,7 @@ async function pictureFile({ setup }: State, scene: Scene, kind: 'png' | 'svg'):
   const { pictureAsPng, pictureAsSvg } = await fetchedPart(import('../../render/export'))
   const name = `${nameOf(setup.problem.grid)}-${setup.plannerId}.${kind}`
   const asMap = { ...scene, cursor: -1, hovered: -1 }
-  const picture = kind === 'png' ? await pictureAsPng(asMap) : pictureAsSvg(asMap)
+  const picture = kind === 'png' ? await pictureAsPng(asMap, nextTask) : pictureAsSvg(asMap)
   return { name, content: picture.content, missing: picture.isCrowded ? TOO_MANY : '' }
 }
 

@@ -21,23 +21,30 @@ export async function showWork<State extends WithMessages, Result>(
   const began = performance.now()
   const cancel = new AbortController()
   let id = 0
+  const show = () => {
+    if (id > 0) return
+    store.update((state) => tell(state, 'work', words))
+    id = store.state.messagesTold
+  }
+  // Not all work says how far it is.
+  const timer = setTimeout(show, SLOW_AFTER_MS)
   const progress = (done: number) => {
-    if (id === 0 && performance.now() - began > SLOW_AFTER_MS) {
-      store.update((state) => tell(state, 'work', words))
-      id = store.state.messagesTold
-    }
+    if (performance.now() - began > SLOW_AFTER_MS) show()
     store.update((state) => workProgressed(state, id, done))
   }
   const unsubscribe = store.subscribe(({ messages }) => {
     if (id > 0 && !messages.some((message) => message.id === id)) cancel.abort()
   })
   try {
-    return await work({ progress, signal: cancel.signal })
+    const result = await work({ progress, signal: cancel.signal })
+    cancel.signal.throwIfAborted()
+    return result
   } catch (error) {
     if (!cancel.signal.aborted) throw error
     store.update((state) => tell(state, 'note', 'Cancelled.'))
     return null
   } finally {
+    clearTimeout(timer)
     unsubscribe()
     store.update((state) => dismiss(state, id))
   }

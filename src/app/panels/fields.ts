@@ -39,6 +39,8 @@ export interface NumberFieldEvents {
 }
 
 export interface NumberField extends Field<number | undefined> {
+  /** Shows the value in place of whatever was typed. */
+  showAnew(value: number | undefined): void
   /** The number that the field holds; `undefined` and a message if it is not valid. */
   check(): number | undefined
   focus(): void
@@ -89,15 +91,19 @@ export function numberField(
   })
   input.addEventListener('change', () => events.done?.())
 
+  const showAnew = (value: number | undefined): void => {
+    shown = value
+    input.value = value === undefined ? '' : String(value)
+    showFault('')
+  }
+
   return {
     element,
     show(value) {
       // What is being typed stays, valid or not, until the value changes elsewhere.
-      if (value === shown) return
-      shown = value
-      input.value = value === undefined ? '' : String(value)
-      showFault('')
+      if (value !== shown) showAnew(value)
     },
+    showAnew,
     check() {
       const { value, fault } = read()
       showFault(fault)

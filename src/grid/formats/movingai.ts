@@ -15,7 +15,7 @@ export function movingAiMap(grid: Grid): string {
 }
 
 /** The signs of cells that can be passed: ground, ground of another kind, swamp. */
-const PASSABLE: ReadonlySet<number> = new Set(Array.from('.GS', (sign) => sign.charCodeAt(0)))
+const [GROUND, OTHER_GROUND, SWAMP] = Array.from('.GS', (sign) => sign.charCodeAt(0))
 
 /**
  * The map in a MovingAI file: `.`, `G` and `S` are free, every other sign is an obstacle.
@@ -64,7 +64,8 @@ function readRows(text: string, from: number, width: number, height: number): Gr
       throw new InputError(`Row ${y + 1} of the map ${fault}, but its width is ${width}.`)
     }
     for (let x = 0; x < width; x++) {
-      if (!PASSABLE.has(text.charCodeAt(at + x))) walls[y * width + x] = 1
+      const sign = text.charCodeAt(at + x)
+      if (sign !== GROUND && sign !== OTHER_GROUND && sign !== SWAMP) walls[y * width + x] = 1
     }
     at = end + 1
   }

@@ -30,6 +30,18 @@ export function unpackWalls(bits: Uint8Array, count: number): Uint8Array {
     )
   }
   const walls = new Uint8Array(count)
-  for (let i = 0; i < count; i++) walls[i] = (bits[i >> 3] >> (i & 7)) & 1
+  const whole = count >> 3
+  for (let i = 0, at = 0; i < whole; i++, at += 8) {
+    const byte = bits[i]
+    walls[at] = byte & 1
+    walls[at + 1] = (byte >> 1) & 1
+    walls[at + 2] = (byte >> 2) & 1
+    walls[at + 3] = (byte >> 3) & 1
+    walls[at + 4] = (byte >> 4) & 1
+    walls[at + 5] = (byte >> 5) & 1
+    walls[at + 6] = (byte >> 6) & 1
+    walls[at + 7] = byte >> 7
+  }
+  for (let i = 8 * whole; i < count; i++) walls[i] = (bits[whole] >> (i & 7)) & 1
   return walls
 }

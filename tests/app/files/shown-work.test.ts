@@ -10,7 +10,10 @@ beforeEach(() => {
   now = 0
   vi.spyOn(performance, 'now').mockImplementation(() => now)
 })
-afterEach(() => vi.restoreAllMocks())
+afterEach(() => {
+  vi.restoreAllMocks()
+  vi.useRealTimers()
+})
 
 const begin = () => createStore<WithMessages>({ messages: [], messagesTold: 0 })
 
@@ -60,6 +63,24 @@ describe('work that is shown', () => {
     await new Promise((resolve) => setTimeout(resolve))
     expect(written).toBe(before)
     expect(store.state.messages.map(({ text }) => text)).toEqual(['Cancelled.'])
+  })
+
+  test('has a message though it does not say how far it is, and ends cancelled', async () => {
+    const store = begin()
+    vi.useFakeTimers()
+    const working = showWork(store, 'Working…', async () => {
+      await new Promise((resolve) => setTimeout(resolve, 1000))
+      return 'result'
+    })
+    const texts = () => store.state.messages.map(({ text }) => text)
+    vi.advanceTimersByTime(199)
+    expect(texts()).toEqual([])
+    vi.advanceTimersByTime(1)
+    expect(texts()).toEqual(['Working…'])
+    store.update((state) => dismiss(state, 1))
+    vi.advanceTimersByTime(1000)
+    expect(await working).toBeNull()
+    expect(texts()).toEqual(['Cancelled.'])
   })
 
   test('that fails does so, and its message goes', async () => {
