@@ -21,6 +21,7 @@ export type GeneratingAnswer =
  * @throws InputError if there is no such map
  */
 export function makeMap({ generatorId, size, params, seed }: WantedMap): Problem {
-  const generator = generators.find(({ id }) => id === generatorId) ?? generators[0]
+  const generator = generators.find(({ id }) => id === generatorId)
+  if (!generator) throw new Error(`There is no generator ${generatorId}.`)
   return generator.generate(size, params, seed, DIAGONAL_RULES[0])
 }
