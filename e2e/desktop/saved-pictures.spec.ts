@@ -116,14 +116,15 @@ test('the page goes on between the parts of making a PNG', async ({ page }) => {
     const note = (part: string) => {
       if (part === 'rest' || !log.includes(part)) log.push(part)
     }
-    const { fillRect, putImageData } = CanvasRenderingContext2D.prototype
+    const { fillRect, drawImage } = CanvasRenderingContext2D.prototype
     CanvasRenderingContext2D.prototype.fillRect = function (...box) {
       if (this.canvas.width === width) note('canvas')
       fillRect.apply(this, box)
     }
-    CanvasRenderingContext2D.prototype.putImageData = function (...args: unknown[]) {
-      note('cells')
-      Reflect.apply(putImageData, this, args)
+    // The page, too, may be painting at that time: on a canvas of another width.
+    CanvasRenderingContext2D.prototype.drawImage = function (...args: unknown[]) {
+      if (this.canvas.width === width) note('cells')
+      Reflect.apply(drawImage, this, args)
     }
     const { toBlob } = HTMLCanvasElement.prototype
     HTMLCanvasElement.prototype.toBlob = function (...args) {
