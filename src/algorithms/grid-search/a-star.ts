@@ -1,20 +1,11 @@
 import { stepOffsets } from '../../grid/directions'
 import type { Directions } from '../../grid/steps'
 import { DIAGONAL_WEIGHT, weightsTo } from '../costs'
-import {
-  CLOSED,
-  DIRECTION_SHIFT,
-  LEGAL,
-  type Memory,
-  memoryFor,
-  OPEN,
-  openCells,
-  STEPS,
-} from './memory'
+import { CLOSED, DIRECTION_SHIFT, LEGAL, type Memory, OPEN, openCells, STEPS } from './memory'
+import { overCells } from './over-cells'
 import { Recorder } from './recorder'
-import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
+import { PROGRESS_EVERY, type SearchTask } from './search'
 import { NO_DIRECTION, successorsUnder } from './successors'
-import { wayBack } from './way-back'
 
 const STRAIGHT: Directions = 0b01010101
 
@@ -28,13 +19,8 @@ const STRAIGHT: Directions = 0b01010101
  * that they are taken first: after a straight one a way may not turn diagonal again unless around an
  * obstacle.
  */
-export function aStar(task: SearchTask): Found {
-  const memory = memoryFor(task.legal.length)
-  const expanded = search(task, memory)
-  return { path: wayBack(task.problem, memory), expanded }
-}
+export const aStar = overCells(search)
 
-/** Closes cells up to the goal; returns how many. Nothing else is in here, so that it is compiled well. */
 function search(
   { problem, legal, cost, tape, lines, progress }: SearchTask,
   memory: Memory,

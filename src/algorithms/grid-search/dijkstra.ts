@@ -1,24 +1,19 @@
 import { stepOffsets } from '../../grid/directions'
 import type { Directions } from '../../grid/steps'
 import { DIAGONAL_WEIGHT } from '../costs'
-import { CLOSED, DIRECTION_SHIFT, LEGAL, type Memory, memoryFor, OPEN, STEPS, UNIT } from './memory'
+import { CLOSED, DIRECTION_SHIFT, LEGAL, type Memory, OPEN, STEPS, UNIT } from './memory'
+import { overCells } from './over-cells'
 import { Recorder } from './recorder'
-import { type Found, PROGRESS_EVERY, type SearchTask } from './search'
+import { PROGRESS_EVERY, type SearchTask } from './search'
 import { NO_DIRECTION, successorsUnder } from './successors'
-import { wayBack } from './way-back'
 
 /**
  * Dijkstra's algorithm without a heap: cells wait in buckets one unit of weight wide. No step weighs
  * less than that, so the cells of one bucket cannot improve each other, any order among them is
  * right, and three buckets in turn hold all that wait. (R. B. Dial, 1969.)
  */
-export function dijkstra(task: SearchTask): Found {
-  const memory = memoryFor(task.legal.length)
-  const expanded = search(task, memory)
-  return { path: wayBack(task.problem, memory), expanded }
-}
+export const dijkstra = overCells(search)
 
-/** Closes cells up to the goal; returns how many. Nothing else is in here, so that it is compiled well. */
 function search(
   { problem, legal, cost, tape, lines, progress }: SearchTask,
   memory: Memory,
