@@ -1,9 +1,9 @@
 import * as Plot from '@observablehq/plot'
-import { inThousands } from '../grid/thousands'
 import type { Axis, Chart, Mark } from './chart'
 import type { Drawing } from './draw'
 import { asButtons } from './marks'
 import { seriesStyle } from './style'
+import { count } from './words'
 
 type LinesChart = Extract<Chart, { kind: 'lines' }>
 
@@ -82,10 +82,10 @@ function axes({ x, y, marks }: LinesChart, frame: Range, faint: string): Plot.Ma
   const decades = y.scale === 'log' ? decadesIn(frame) : []
   return [
     x.scale === 'log' && places.length < 9
-      ? Plot.axisX(places, { ...axisX, text: numberOf, ...hidden })
+      ? Plot.axisX(places, { ...axisX, text: count, ...hidden })
       : Plot.axisX({ ...axisX, ...hidden }),
     ...(y.scale === 'log'
-      ? [Plot.gridY(decades, grid), Plot.axisY(decades, { ...axisY, text: numberOf })]
+      ? [Plot.gridY(decades, grid), Plot.axisY(decades, { ...axisY, text: count })]
       : [
           Plot.gridY(grid),
           Plot.axisY({ ...axisY, ...(y.scale === 'percent' && { tickFormat: wholePercent }) }),
@@ -94,8 +94,6 @@ function axes({ x, y, marks }: LinesChart, frame: Range, faint: string): Plot.Ma
 }
 
 type Range = readonly [least: number, greatest: number]
-
-const numberOf = (value: number): string => inThousands(String(value))
 
 const wholePercent = (share: number): string => `${Math.round(100 * share)} %`
 

@@ -1,6 +1,7 @@
 import type { Success } from '../experiments/summary/success'
+import { inThousands } from '../grid/thousands'
 
-export const count = (value: number): string => value.toLocaleString('en')
+export const count = (value: number): string => inThousands(String(value))
 
 /** 0.914 → "91.4 %". */
 export const percent = (share: number): string =>
