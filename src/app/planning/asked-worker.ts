@@ -41,3 +41,8 @@ export function dismiss(worker: AskedWorker<never, never>): void {
   worker.onerror = null
   worker.terminate()
 }
+
+/** Answers from within a worker, and hands over the buffers. */
+export function send<Answer>(message: Answer, buffers: ArrayBufferLike[] = []): void {
+  self.postMessage(message, { transfer: buffers as ArrayBuffer[] })
+}

@@ -4,6 +4,7 @@ import { foldWhole } from '../../trace/checkpoints'
 import { type Frame, packed } from '../../trace/frame'
 import { Tape } from '../../trace/tape'
 import { timelineOf } from '../playback/timeline'
+import { send } from './asked-worker'
 import type { WorkerAnswer, WorkerQuestion } from './worker-protocol'
 
 const BETWEEN_REPORTS_MS = 50
@@ -12,7 +13,7 @@ self.onmessage = ({ data }: MessageEvent<WorkerQuestion>) => {
   try {
     answer(data)
   } catch (error) {
-    send({ kind: 'refused', id: data.id, message: messageOf(error) })
+    send<WorkerAnswer>({ kind: 'refused', id: data.id, message: messageOf(error) })
   }
 }
 
@@ -24,7 +25,7 @@ function answer({ id, problem, plannerId, params, seed }: WorkerQuestion): void 
     const now = performance.now()
     if (now - reported < BETWEEN_REPORTS_MS) return
     reported = now
-    send({ kind: 'progress', id, done })
+    send<WorkerAnswer>({ kind: 'progress', id, done })
   }
   const outcome = plan(problem, plannerId, { params, seed, tape, progress })
   const milliseconds = performance.now() - began
@@ -33,13 +34,16 @@ function answer({ id, problem, plannerId, params, seed }: WorkerQuestion): void 
   const checkpoints = folded.checkpoints.map(packed)
   const timeline = timelineOf(tape)
   const data = tape.release()
-  send({ kind: 'planned', id, outcome, tape: data, last, checkpoints, timeline, milliseconds }, [
-    ...data.buffers,
-    // Frames share what they have in common.
-    ...new Set([last, ...checkpoints].flatMap(frameBuffers)),
-    timeline.steps.buffer,
-    timeline.landmarks.buffer,
-  ])
+  send<WorkerAnswer>(
+    { kind: 'planned', id, outcome, tape: data, last, checkpoints, timeline, milliseconds },
+    [
+      ...data.buffers,
+      // Frames share what they have in common.
+      ...new Set([last, ...checkpoints].flatMap(frameBuffers)),
+      timeline.steps.buffer,
+      timeline.landmarks.buffer,
+    ],
+  )
 }
 
 /** All arrays in a frame: those of its cells, its fields and its lists. */
@@ -47,8 +51,4 @@ function frameBuffers({ fields, ...frame }: Frame): ArrayBufferLike[] {
   return [...Object.values(frame), ...Object.values(fields)]
     .filter((value) => ArrayBuffer.isView(value))
     .map(({ buffer }) => buffer)
-}
-
-function send(message: WorkerAnswer, buffers: ArrayBufferLike[] = []): void {
-  self.postMessage(message, { transfer: buffers as ArrayBuffer[] })
 }
