@@ -3,11 +3,11 @@ import { RESULTS_FORMAT } from '../../experiments/results'
 import type { GivenMap } from '../../experiments/settings'
 import { readSettings } from '../../experiments/settings-check'
 import { InputError, messageOf } from '../../grid/errors'
-import { openMap } from '../../grid/formats/open-map'
 import { gridToRows } from '../../grid/text-map'
 import { byId } from '../element'
 import { onFileChosen } from '../files/chosen-file'
 import { inSlices } from '../files/in-slices'
+import { readMap } from '../files/opening-worker'
 import { showWork } from '../files/shown-work'
 import { tell } from '../state/messages'
 import type { Store } from '../state/store'
@@ -56,8 +56,10 @@ async function openMaps(store: Store<PageState>, files: readonly File[]): Promis
   const maps: GivenMap[] = []
   for (const file of files) {
     try {
-      const { problem } = openMap(await textOf(file))
-      maps.push({ name: file.name, rows: gridToRows(problem.grid) })
+      const opened = await showWork(store, `Opening ${file.name}…`, ({ signal }) =>
+        readMap(file, signal),
+      )
+      if (opened) maps.push({ name: file.name, rows: gridToRows(opened.problem.grid) })
     } catch (error) {
       refuse(store, file, error)
     }
