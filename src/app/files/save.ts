@@ -14,28 +14,30 @@ import type { ShownWork } from './shown-work'
 /** The map's name without an ending, the same for all files that belong together. */
 const nameOf = ({ width, height }: Grid): string => `path-planner-${width}x${height}`
 
-async function projectFile({ setup: { problem } }: State): Promise<Saved> {
+async function projectFile({ setup }: State, { signal }: ShownWork): Promise<Saved> {
+  const { problem } = setup
   const { saveProject } = await fetchedPart(import('../../grid/formats/project-file'))
-  return { name: `${nameOf(problem.grid)}.json`, content: saveProject(problem) }
+  const content = await blobInSlices(saveProject(problem), signal)
+  return { name: `${nameOf(problem.grid)}.json`, content }
 }
 
-async function mapFile({ grid }: Problem): Promise<Saved> {
+async function mapFile({ grid }: Problem, { signal }: ShownWork): Promise<Saved> {
   const { movingAiMap } = await fetchedPart(import('../../grid/formats/movingai'))
-  return { name: `${nameOf(grid)}.map`, content: movingAiMap(grid) }
+  return { name: `${nameOf(grid)}.map`, content: await blobInSlices(movingAiMap(grid), signal) }
 }
 
 /** The trace of the plan on screen, and the map that it opens upon. */
-async function traceFiles(state: State, { progress, signal }: ShownWork): Promise<Saved[]> {
+async function traceFiles(state: State, work: ShownWork): Promise<Saved[]> {
   const shown = visiblePlan(state)
   if (!shown) throw new Error('There is no plan on screen.')
   const { posthocTrace } = await fetchedPart(import('../../trace/posthoc'))
   const { setup, tape } = shown
   const { id, title, phases, variables } = plannerOf(setup)
   const { problem } = setup
-  const map = await mapFile(problem)
+  const map = await mapFile(problem, work)
   const info = { plannerId: id, title, phases, variables, problem, mapFile: map.name }
   const name = `${nameOf(problem.grid)}-${id}.trace.json`
-  const content = await blobInSlices(posthocTrace(tape, info, { progress }), signal)
+  const content = await blobInSlices(posthocTrace(tape, info, work), work.signal)
   return [{ name, content, missing: leftOut(tape.thinning).words }, map]
 }
 
@@ -58,8 +60,8 @@ export function savers(store: Store<State>, sceneNow: () => Scene) {
     store.update((state) => say(state, `Saved as ${names}.`))
   }
   return {
-    save: save(async (state) => [await projectFile(state)]),
-    'save-map': save(async (state) => [await mapFile(state.setup.problem)]),
+    save: save(async (state, work) => [await projectFile(state, work)]),
+    'save-map': save(async ({ setup }, work) => [await mapFile(setup.problem, work)]),
     'save-trace': save(traceFiles),
     'save-png': save(async (state) => [await pictureFile(state, sceneNow(), 'png')]),
     'save-svg': save(async (state) => [await pictureFile(state, sceneNow(), 'svg')]),
