@@ -1,13 +1,15 @@
 import type { Grid } from '../../grid/grid'
 import type { Problem } from '../../grid/problem'
+import type { SavedPicture } from '../../render/export'
 import type { Scene } from '../../render/scene'
+import type { Work } from '../../render/work'
 import { fetchedPart } from '../fetched-part'
 import { plannerOf } from '../state/setup'
 import { type State, visiblePlan } from '../state/state'
 import type { Store } from '../state/store'
 import { say } from '../state/transitions'
 import { leftOut } from '../words/thinning'
-import { blobInSlices, nextTask } from './in-slices'
+import { blobInSlices, inSlices } from './in-slices'
 import { type Saved, saveFiles } from './save-files'
 import type { ShownWork } from './shown-work'
 
@@ -43,12 +45,18 @@ async function traceFiles(state: State, work: ShownWork): Promise<Saved[]> {
 
 const TOO_MANY = 'The picture leaves out vertices or edges, because they are too many.'
 
-async function pictureFile({ setup }: State, scene: Scene, kind: 'png' | 'svg'): Promise<Saved> {
+async function pictureFile(
+  { setup }: State,
+  scene: Scene,
+  kind: 'png' | 'svg',
+  { signal }: ShownWork,
+): Promise<Saved> {
   const { pictureAsPng, pictureAsSvg } = await fetchedPart(import('../../render/export'))
   const name = `${nameOf(setup.problem.grid)}-${setup.plannerId}.${kind}`
   const asMap = { ...scene, cursor: -1, hovered: -1 }
-  const picture = kind === 'png' ? await pictureAsPng(asMap, nextTask) : pictureAsSvg(asMap)
-  return { name, content: picture.content, missing: picture.isCrowded ? TOO_MANY : '' }
+  const picture: Work<SavedPicture> = kind === 'png' ? pictureAsPng(asMap) : pictureAsSvg(asMap)
+  const { content, isCrowded } = await inSlices(picture, () => {}, signal)
+  return { name, content: await content, missing: isCrowded ? TOO_MANY : '' }
 }
 
 /** What saves, by the name of the menu's entry. */
@@ -63,7 +71,7 @@ export function savers(store: Store<State>, sceneNow: () => Scene) {
     save: save(async (state, work) => [await projectFile(state, work)]),
     'save-map': save(async ({ setup }, work) => [await mapFile(setup.problem, work)]),
     'save-trace': save(traceFiles),
-    'save-png': save(async (state) => [await pictureFile(state, sceneNow(), 'png')]),
-    'save-svg': save(async (state) => [await pictureFile(state, sceneNow(), 'svg')]),
+    'save-png': save(async (state, work) => [await pictureFile(state, sceneNow(), 'png', work)]),
+    'save-svg': save(async (state, work) => [await pictureFile(state, sceneNow(), 'svg', work)]),
   }
 }
