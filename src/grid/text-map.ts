@@ -87,8 +87,9 @@ export function gridFromRows(rows: readonly unknown[]): Grid {
       throw unequalRows(y, row.length, width)
     }
     for (let x = 0; x < width; x++) {
-      if (row[x] === '#') walls[y * width + x] = 1
-      else if (row[x] !== '.') {
+      const code = row.charCodeAt(x)
+      if (code === SIGN.obstacle) walls[y * width + x] = 1
+      else if (code !== SIGN.free) {
         const sign = excerpt(row.slice(x), 1)
         throw new InputError(`${sign} at (${x}, ${y}) is no cell: use "#" obstacle, "." free.`)
       }
