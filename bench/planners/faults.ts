@@ -19,7 +19,7 @@ function saveFault({ who, map, query }: Fault): string {
   const { grid, origin } = map
   const file = `${FOLDER}/${`${who}, ${origin}`.replaceAll(/[^a-z0-9×-]+/gi, '-')}.map`
   mkdirSync(FOLDER, { recursive: true })
-  writeFileSync(file, movingAiMap(grid))
+  writeFileSync(file, [...movingAiMap(grid)].join(''))
   const ends = `${cellName(grid.width, query.start)} to ${cellName(grid.width, query.goal)}`
   return `${origin}, ${ends}; saved as ${file}`
 }

@@ -61,7 +61,9 @@ test('of two files that are read at once, the one that was asked for last is ope
 test('maps from files are a family of their own', async ({ page }) => {
   const experiments = new ExperimentsPage(page)
   await experiments.open()
+  const reader = page.waitForEvent('worker', (worker) => /open-worker/.test(worker.url()))
   await experiments.openFile('own.txt', 'S..\n.#.\n..G\n', '#map-files')
+  await reader
   await expect(page.getByText('own.txt, 3 × 3')).toBeVisible()
   await experiments.openFile('bad.txt', 'S?\n.G\n', '#map-files')
   await expect(page.getByText(/bad\.txt was not opened/)).toBeVisible()

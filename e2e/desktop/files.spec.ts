@@ -1,7 +1,7 @@
+import type { Page, Route } from '@playwright/test'
 import {
   choosePlanner,
   drawnRows,
-  dropBoth,
   dropFile,
   expectResult,
   openFile,
@@ -105,13 +105,54 @@ test('of files that are dropped together the first is opened, and that is told',
   await expect(page.getByText('Of 3 files only the first, first.txt, was taken.')).toBeVisible()
 })
 
+/** Holds back what the next file is read by; returns what lets it go on. */
+async function holdReader(page: Page): Promise<() => Promise<void>> {
+  const held: Route[] = []
+  const hold = async (route: Route) => {
+    held.push(route)
+  }
+  await page.route(/open-worker/, hold, { times: 1 })
+  return async () => {
+    // Nobody may be waiting for it any more.
+    for (const route of held) await route.continue().catch(() => {})
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)))
+  }
+}
+
 test('of two files that are read at once, the one that was asked for last is opened', async ({
   map,
   page,
 }) => {
-  const readFirst = await dropBoth(page, 'S.\n.G', 'S..\n..G')
+  const readFirst = await holdReader(page)
+  await dropFile(page, 'first.txt', 'S.\n.G')
+  await dropFile(page, 'last.txt', 'S..\n..G')
   await expect(page.getByText(/^Opened last\.txt/).first()).toBeVisible()
   await readFirst()
   await expect(map.element).toHaveAttribute('data-width', '3')
   await expect(page.getByText('first.txt')).toHaveCount(0)
+})
+
+test.describe('while a file is read', () => {
+  test('that is shown, the page goes on, and it can be cancelled', async ({ map, page }) => {
+    const before = await drawnRows(page)
+    const read = await holdReader(page)
+    await dropFile(page, 'large.txt', 'S.\n.G')
+    await expect(page.getByRole('progressbar', { name: 'Opening large.txt…' })).toBeVisible()
+    await page.getByRole('button', { name: 'Cancel' }).click()
+    await expect(page.getByText('Cancelled.')).toBeVisible()
+    await read()
+    expect(await drawnRows(page)).toEqual(before)
+    await map.click([0, 0])
+    await expectResult(page, /^Reached/)
+  })
+
+  test('what is drawn stays', async ({ map, page }) => {
+    const read = await holdReader(page)
+    await dropFile(page, 'large.txt', 'S.\n.G')
+    await map.click([0, 0])
+    const words = 'large.txt was not opened, because the map on screen was changed meanwhile.'
+    await expect(page.getByText(words)).toBeVisible()
+    await read()
+    expect((await drawnRows(page))[0]).toBe('#.........')
+  })
 })

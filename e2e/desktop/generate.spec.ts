@@ -114,7 +114,7 @@ test.describe('a large map, while its worker is at work', () => {
     const before = await drawnRows(page)
     await generateLarge(page)
     await map.click([0, 0])
-    await expect(page.getByText('the one on screen was changed meanwhile')).toBeVisible()
+    await expect(page.getByText('the map on screen was changed meanwhile')).toBeVisible()
     await expect(page.getByText('Generating…')).toBeHidden()
     const after = await drawnRows(page)
     expect(after).not.toEqual(before)

@@ -1,5 +1,5 @@
-// Some browsers ask for a module once only: what failed stays missing until the page is loaded anew.
-const MISSING =
+/** Some browsers ask for a module once only: what failed stays missing until the page is loaded anew. */
+export const MISSING_PART =
   'This part of the page could not be loaded. Try again once its server can be reached; if that does not help, reload the page.'
 
 /**
@@ -10,6 +10,6 @@ export async function fetchedPart<Part>(part: Promise<Part>): Promise<Part> {
   try {
     return await part
   } catch {
-    throw new Error(MISSING)
+    throw new Error(MISSING_PART)
   }
 }

@@ -81,14 +81,16 @@ function checkFamily(family: Family, field: string, settings: ExperimentSettings
 }
 
 function checkGivenMap({ rows }: GivenMap, field: string): void {
-  let free = 0
+  let walls: Uint8Array
   try {
-    for (const wall of gridFromRows(rows).walls) free += 1 - wall
+    walls = gridFromRows(rows).walls
   } catch (error) {
     if (error instanceof InputError) throw new InputError(`${field}.rows: ${error.message}`)
     throw error
   }
-  if (free < 2) fail(`${field}.rows`, 'must have a free cell for the start and one for the goal')
+  if (walls.indexOf(0) === walls.lastIndexOf(0)) {
+    fail(`${field}.rows`, 'must have a free cell for the start and one for the goal')
+  }
 }
 
 function checkPlanner({ planner: id, params }: PlannerFamily, field: string): void {

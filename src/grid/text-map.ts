@@ -60,16 +60,18 @@ function signs({ walls }: Grid, obstacle: number): Uint8Array {
 }
 
 /** The list of signs is handed on as it is, because to spread it takes several times as long. */
-function rowsOf(signs: Uint8Array, { width, height }: Grid): string[] {
-  return Array.from({ length: height }, (_, y) =>
-    Reflect.apply(String.fromCharCode, null, signs.subarray(y * width, (y + 1) * width)),
-  )
+function* rowsOf(signs: Uint8Array, { width }: Grid): Generator<string, void, void> {
+  for (let at = 0; at < signs.length; at += width) {
+    yield Reflect.apply(String.fromCharCode, null, signs.subarray(at, at + width))
+  }
 }
 
-/** The rows of a map, `.` free, `#` obstacle or what sign else is given for it. */
-export function gridToRows(grid: Grid, obstacle = '#'): string[] {
-  return rowsOf(signs(grid, obstacle.charCodeAt(0)), grid)
-}
+/** The rows of a map one by one, `.` free, `#` obstacle or what sign else is given for it. */
+export const rowByRow = (grid: Grid, obstacle = '#'): Generator<string, void, void> =>
+  rowsOf(signs(grid, obstacle.charCodeAt(0)), grid)
+
+/** All rows of a map, `.` free, `#` obstacle. */
+export const gridToRows = (grid: Grid): string[] => [...rowByRow(grid)]
 
 /**
  * A map from its rows, `#` obstacle and `.` free.
@@ -85,8 +87,9 @@ export function gridFromRows(rows: readonly unknown[]): Grid {
       throw unequalRows(y, row.length, width)
     }
     for (let x = 0; x < width; x++) {
-      if (row[x] === '#') walls[y * width + x] = 1
-      else if (row[x] !== '.') {
+      const code = row.charCodeAt(x)
+      if (code === SIGN.obstacle) walls[y * width + x] = 1
+      else if (code !== SIGN.free) {
         const sign = excerpt(row.slice(x), 1)
         throw new InputError(`${sign} at (${x}, ${y}) is no cell: use "#" obstacle, "." free.`)
       }
@@ -111,7 +114,7 @@ export function problemToText(problem: Problem): string {
   const cells = signs(grid, SIGN.obstacle)
   cells[start] = SIGN.start
   cells[goal] = SIGN.goal
-  return `${rowsOf(cells, grid).join('\n')}\n`
+  return `${[...rowsOf(cells, grid)].join('\n')}\n`
 }
 
 function unequalRows(y: number, length: number, width: number): InputError {

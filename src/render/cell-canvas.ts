@@ -10,7 +10,8 @@ import { type Tiling, tileAt, tilingOf } from './tiling'
  */
 export class CellCanvas {
   #tiling: Tiling = { columns: 0, boxes: [] }
-  #tiles: readonly TileCanvas[] = []
+  /** There is none for a tile as long as nothing of it is painted. */
+  #tiles: TileCanvas[] = []
   #image: ImageData | null = null
 
   /** Takes over the pixels in the boxes, from `pixels` with one pixel for each cell of the grid. */
@@ -19,12 +20,13 @@ export class CellCanvas {
     if (this.#image?.data.buffer !== pixels.buffer || this.#image.width !== width) {
       this.#image = new ImageData(new Uint8ClampedArray(pixels.buffer), width, height)
       this.#tiling = tilingOf(grid)
-      this.#tiles = this.#tiling.boxes.map((box) => new TileCanvas(box))
+      this.#tiles = []
     }
     for (const box of boxes) {
       const tile = tileAt(this.#tiling, box.left, box.top)
-      const { left, top } = this.#tiling.boxes[tile]
-      this.#tiles[tile].take(this.#image, left, top, box)
+      const whole = this.#tiling.boxes[tile]
+      this.#tiles[tile] ??= new TileCanvas(whole)
+      this.#tiles[tile].take(this.#image, whole.left, whole.top, box)
     }
   }
 
@@ -32,9 +34,10 @@ export class CellCanvas {
   draw(context: CanvasRenderingContext2D, place: Placement, part = place): void {
     // Cells smaller than a pixel are averaged: else thin obstacles come and go with the zoom.
     context.imageSmoothingEnabled = place.cell < 1
-    this.#tiling.boxes.forEach((box, tile) => {
+    this.#tiles.forEach((canvas, tile) => {
+      const box = this.#tiling.boxes[tile]
       if (!isBoxVisible(part, box)) return
-      const image = this.#tiles[tile].imageFor(place.cell)
+      const image = canvas.imageFor(place.cell)
       const fromX = Math.max(box.left, place.fromX)
       const fromY = Math.max(box.top, place.fromY)
       const toX = Math.min(box.right, place.toX)

@@ -3,7 +3,7 @@ import type { Cell } from '../grid/grid'
 import type { Cells } from '../trace/frame'
 import { LineIndex } from './line-index'
 import type { Indexer } from './sliced-index'
-import { runToEnd, type Work } from './work'
+import type { Work } from './work'
 
 /** East to south-west: a line in any of the other directions is one of these from its other end. */
 const ONWARD = [2, 3, 4, 5] as const
@@ -18,12 +18,12 @@ const CELLS_AT_ONCE = 1 << 16
  * @param edges pairs of cells, one after the other
  * @returns pairs of cells as well, the ends of the lines
  */
-export function edgeLines(columns: number, rows: number, edges: Cells): Cell[] {
+export function* edgeLines(columns: number, rows: number, edges: Cells): Work<Cell[]> {
   if (edges.length === 0) return []
   const lines: Cell[] = []
   const cover = new EdgeCover(columns, rows)
-  runToEnd(cover.add(edges, edges.length))
-  runToEnd(cover.collect((from, to) => lines.push(from, to)))
+  yield* cover.add(edges, edges.length)
+  yield* cover.collect((from, to) => lines.push(from, to))
   return lines
 }
 

@@ -1,3 +1,4 @@
+import type { Box } from './box'
 import { newContext } from './canvas'
 import { CellCanvas } from './cell-canvas'
 import { CellImage } from './cell-image'
@@ -8,10 +9,11 @@ import { drawBorder } from './layers/border'
 import { drawComparison } from './layers/comparison'
 import { drawEdges } from './layers/roadmap'
 import type { Pen } from './pen'
-import { type Placement, placeMap } from './placement'
-import { planOnMap, type Scene } from './scene'
+import { type Placement, placeMap, placeOfBox } from './placement'
+import { planOnMap, type Scene, still } from './scene'
 import { svgCells } from './svg-cells'
 import { SvgPen, svgPaint } from './svg-pen'
+import type { Work } from './work'
 
 /** Side of a cell in pixels, unless the map is too large for that. */
 const PNG_CELL = 48
@@ -27,7 +29,7 @@ const SCREEN_CELL = 32
 const MOST_DRAWN = 100_000
 
 /** A picture as a file, and whether vertices or edges are left out of it. */
-interface SavedPicture<Content> {
+export interface SavedPicture<Content = string | Promise<Blob>> {
   readonly content: Content
   readonly isCrowded: boolean
 }
@@ -49,19 +51,20 @@ function wholeMap({ problem }: Scene, cell: number): WholeMap {
   return { place: placeMap(view, grid, { width, height, pixel }), width, height }
 }
 
-/** All that lies upon the cells. Returns whether vertices or edges are left out. */
-function drawUponCells(
+/** All that lies upon the cells. Its result is whether vertices or edges are left out. */
+function* drawUponCells(
   pen: Pen,
   place: Placement,
   scene: Scene,
   range: FieldRange | null,
-): boolean {
+): Work<boolean> {
   const frame = planOnMap(scene)?.frame
   let isCrowded = false
   drawGround(pen, place, scene, range)
+  yield
   if (frame) {
     const { vertices, edges, edgesCut } = frame
-    const lines = edgeLines(place.columns, place.rows, edges)
+    const lines = yield* edgeLines(place.columns, place.rows, edges)
     const [hidesEdges, hidesVertices] = [
       lines.length > 2 * MOST_DRAWN,
       vertices.length > MOST_DRAWN,
@@ -69,6 +72,7 @@ function drawUponCells(
     if (!hidesEdges) drawEdges(pen, place, scene.theme, lines)
     drawPlan(pen, place, scene.theme, frame, hidesVertices ? [] : vertices)
     isCrowded = hidesEdges || hidesVertices || edgesCut
+    yield
   }
   drawComparison(pen, place, scene.theme, scene.comparison)
   drawMarks(pen, place, scene)
@@ -90,36 +94,52 @@ function canBeRead(): boolean {
   return [40, 80, 160, 255].every((value, i) => Math.abs(value - data[i]) < 8)
 }
 
+/** Brings an image up to date tile by tile, and hands over the cells of each. */
+function* paintTiles(
+  image: CellImage,
+  scene: Scene,
+  painted: (cells: readonly Box[]) => void,
+): Work<void> {
+  do {
+    let tiles = 0
+    painted(image.update(scene, { isInView: () => true, isTimeUp: () => tiles++ > 0 }))
+    yield
+  } while (!image.isComplete)
+}
+
 /**
- * The picture of the whole map as a PNG.
- * @param rest lets the page go on. What is read of the frame is read between two rests: playing changes it
+ * The picture of the whole map as a PNG, which the browser makes beside the page.
  * @throws Error if the browser cannot make a picture of this size, or gives out none
  */
-export async function pictureAsPng(
-  scene: Scene,
-  rest: () => Promise<void>,
-): Promise<SavedPicture<Blob>> {
+export function* pictureAsPng(asked: Scene): Work<SavedPicture<Promise<Blob>>> {
   if (!canBeRead()) {
     throw new Error(
       'To guard your privacy, this browser gives out noise for what a page draws. Allow this page to read its canvases, or save an SVG.',
     )
   }
+  const scene = still(asked)
+  const { theme, problem } = scene
   const { place, width, height } = wholeMap(scene, cellSide(scene, PNG_CELL))
+  yield
   const context = newContext(width, height)
-  context.fillStyle = scene.theme.outside
+  context.fillStyle = theme.outside
   context.fillRect(0, 0, width, height)
-  await rest()
+  drawBorder(context, place, theme)
+  yield
   const image = new CellImage()
   const cells = new CellCanvas()
-  const painted = image.update(scene)
-  cells.take(image.pixels, scene.problem.grid, painted)
-  drawBorder(context, place, scene.theme)
-  cells.draw(context, place)
-  const isCrowded = drawUponCells(context, place, scene, image.fieldRange)
-  await rest()
+  yield* paintTiles(image, scene, (boxes) => {
+    cells.take(image.pixels, problem.grid, boxes)
+    for (const box of boxes) cells.draw(context, place, placeOfBox(place, box, 0))
+  })
+  const isCrowded = yield* drawUponCells(context, place, scene, image.fieldRange)
+  return { content: pngOf(context.canvas), isCrowded }
+}
+
+function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
   return new Promise((resolve, reject) => {
-    context.canvas.toBlob((blob) => {
-      if (blob) resolve({ content: blob, isCrowded })
+    canvas.toBlob((blob) => {
+      if (blob) resolve(blob)
       else reject(new Error('This browser cannot make a picture of this size.'))
     }, 'image/png')
   })
@@ -129,17 +149,18 @@ export async function pictureAsPng(
  * The picture of the whole map as a standalone SVG file.
  * @throws InputError if the map's cells need too many rectangles
  */
-export function pictureAsSvg(scene: Scene): SavedPicture<string> {
+export function* pictureAsSvg(asked: Scene): Work<SavedPicture<string>> {
+  const scene = still(asked)
   const { theme, problem } = scene
   const image = new CellImage()
-  image.update(scene)
-  const cells = svgCells(image.pixels, problem.grid.width)
+  yield* paintTiles(image, scene, () => {})
+  const cells = yield* svgCells(image.pixels, problem.grid.width)
   const cell = cellSide(scene, SVG_CELL)
   const { place, width, height } = wholeMap(scene, cell)
   const below = new SvgPen()
   drawBorder(below, place, theme)
   const above = new SvgPen()
-  const isCrowded = drawUponCells(above, place, scene, image.fieldRange)
+  const isCrowded = yield* drawUponCells(above, place, scene, image.fieldRange)
   const content = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">
 <title>Map of ${problem.grid.width} × ${problem.grid.height} cells</title>
 <rect width="${width}" height="${height}"${svgPaint('fill', theme.outside)}/>

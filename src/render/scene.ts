@@ -1,6 +1,6 @@
 import { type Cell, isSameSize } from '../grid/grid'
 import type { Problem } from '../grid/problem'
-import type { Frame } from '../trace/frame'
+import { type Frame, packed } from '../trace/frame'
 import type { Tape } from '../trace/tape'
 import type { StyledPath } from './path-styles'
 import type { Theme } from './theme'
@@ -35,6 +35,25 @@ export interface Scene {
   readonly cursor: Cell
   /** The cell that is asked about, by pointer or keyboard; -1 if none. */
   readonly hovered: Cell
+}
+
+/**
+ * The scene as it is now, for work that lasts. Playing goes on changing a frame: what is drawn of it is
+ * copied, but for the vertices and edges, to which others are only added.
+ */
+export function still(scene: Scene): Scene {
+  if (!scene.plan) return scene
+  const { tape, frame } = scene.plan
+  const { field } = frame
+  const values = (field && scene.showPotential && frame.fields[field]?.slice()) ?? null
+  const fields = {
+    attraction: null,
+    repulsion: null,
+    potential: null,
+    ...(field && { [field]: values }),
+  }
+  const kept = { ...packed(frame), cells: frame.cells.slice(), fields }
+  return { ...scene, plan: { tape, frame: kept } }
 }
 
 /** The plan; `null` as well if it was made for a map of another size, whose cells are not these. */

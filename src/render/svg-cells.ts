@@ -1,5 +1,6 @@
 import { InputError } from '../grid/errors'
 import { hexOf } from './colour'
+import type { Work } from './work'
 
 /** More would make a file that no program opens with pleasure. */
 export const MOST_RECTS = 200_000
@@ -10,12 +11,13 @@ export const MOST_RECTS = 200_000
  * @param pixels one for each cell, row by row
  * @throws InputError if that takes more than 200,000 rectangles
  */
-export function svgCells(pixels: Uint32Array, columns: number): string {
+export function* svgCells(pixels: Uint32Array, columns: number): Work<string> {
   const paths = new Map<number, string[]>()
   let count = 0
   for (let from = 0; from < pixels.length; ) {
     const pixel = pixels[from]
     const x = from % columns
+    if (x === 0) yield
     const y = (from - x) / columns
     const rowEnd = from - x + columns
     let to = from + 1

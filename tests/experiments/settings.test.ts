@@ -81,6 +81,7 @@ const FAULTS: [object, string][] = [
   [{ families: [SMALL.families[3], SMALL.families[3]] }, 'families[1]: a second family "maps"'],
   [maps({ name: 'x', rows: ['..', '.'] }), 'families[0].maps[0].rows: Row 2 has 1 cell'],
   [maps({ name: 'x', rows: ['..', '.x'] }), 'families[0].maps[0].rows: "x" at (1, 1) is no cell'],
+  [maps({ name: 'x', rows: ['##', '##'] }), 'families[0].maps[0].rows: must have a free cell for'],
   [maps({ name: 'x', rows: ['##', '#.'] }), 'families[0].maps[0].rows: must have a free cell for'],
   [maps({ name: 'x' }), 'families[0].maps[0].rows: is missing'],
   [{ sizes: [] }, 'sizes: must have at least one size'],

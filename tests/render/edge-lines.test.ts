@@ -2,6 +2,7 @@ import { expect, it } from 'vitest'
 import { randomInteger, randomNumbers } from '../../src/grid/random'
 import { simplestPath } from '../../src/grid/simplest-path'
 import { edgeLines } from '../../src/render/edge-lines'
+import { runToEnd } from '../../src/render/work'
 
 /** The steps between neighbours that a list of paths covers, each named by its two cells. */
 function stepsOf(paths: Iterable<ArrayLike<number>>): string[] {
@@ -27,17 +28,17 @@ it('covers what the simplest paths of the edges cover, each step once', () => {
     const edges = Array.from({ length: cells }, () => randomInteger(random, width * height))
     const paths = (ends: readonly number[]) =>
       pairs(ends).map(([from, to]) => simplestPath(width, from, to))
-    const covered = stepsOf(paths(edgeLines(width, height, edges)))
+    const covered = stepsOf(paths(runToEnd(edgeLines(width, height, edges))))
     expect(covered).toEqual([...new Set(stepsOf(paths(edges)))].sort())
   }
 })
 
 it('joins edges on one line, and bends an edge where its simplest path bends', () => {
   // On a map 5 cells wide: 0 → 2 and 4 → 1 lie on the first row; 0 → 8 is diagonal up to 6.
-  expect(pairs(edgeLines(5, 3, [0, 2, 4, 1]))).toEqual([[0, 4]])
-  expect(pairs(edgeLines(5, 3, [0, 8]))).toEqual([
+  expect(pairs(runToEnd(edgeLines(5, 3, [0, 2, 4, 1])))).toEqual([[0, 4]])
+  expect(pairs(runToEnd(edgeLines(5, 3, [0, 8])))).toEqual([
     [6, 8],
     [0, 6],
   ])
-  expect(edgeLines(5, 3, [7, 7])).toEqual([])
+  expect(runToEnd(edgeLines(5, 3, [7, 7]))).toEqual([])
 })

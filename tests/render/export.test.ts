@@ -9,6 +9,8 @@ import { isKnownObstacle } from '../../src/render/known-obstacles'
 import type { Scene } from '../../src/render/scene'
 import { MOST_RECTS, svgCells } from '../../src/render/svg-cells'
 import { themes } from '../../src/render/theme'
+import { runToEnd } from '../../src/render/work'
+import { advance } from '../../src/trace/fold'
 import { type Frame, knownOf } from '../../src/trace/frame'
 import { momentOf, randomProblem, sceneOf, svgOf, tapeOf } from './scenes'
 import { areaOf, elementsOf } from './svg'
@@ -83,6 +85,30 @@ describe('a picture as SVG', () => {
     }
   })
 
+  it.each(['decomposition', 'potential-field', 'bug1'])(
+    'is of the moment at which it was asked for, though playing goes on meanwhile: %s',
+    (planner) => {
+      const tape = tapeOf(problem, planner)
+      const scene = (time: number) =>
+        sceneOf(problem, { plan: momentOf(tape, time), sensorRange: 1, showPotential: true })
+      const half = Math.floor(tape.length / 2)
+      const asked = scene(half)
+      const picture = pictureAsSvg(asked)
+      picture.next()
+      if (asked.plan) advance(asked.plan.frame, tape, tape.length)
+      const { content } = runToEnd(picture)
+      expect(content).toBe(svgOf(scene(half)))
+      expect(content).not.toBe(svgOf(scene(tape.length)))
+    },
+  )
+
+  it('is made in parts, each of them soon done', () => {
+    const { grid } = randomProblem(600, 300, 0.1, 1)
+    const parts = [...pictureAsSvg(sceneOf({ ...problem, grid }))]
+    // Tiles of 256 × 256 cells, and rows.
+    expect(parts.length).toBeGreaterThan(6 + 300)
+  })
+
   it('draws the path that was found', () => {
     const corridor = problemFromText('S...G\n.....')
     const svg = svgOf(sceneOf(corridor, { plan: momentOf(tapeOf(corridor, 'decomposition')) }))
@@ -98,7 +124,9 @@ describe('a picture as SVG', () => {
     const plan = momentOf(tapeOf(large, 'probabilistic-roadmap'))
     const drawn = (changes: Partial<Frame>) => {
       const frame = { ...plan.frame, ...changes }
-      const { content, isCrowded } = pictureAsSvg(sceneOf(large, { plan: { ...plan, frame } }))
+      const { content, isCrowded } = runToEnd(
+        pictureAsSvg(sceneOf(large, { plan: { ...plan, frame } })),
+      )
       const shapes = elementsOf(content).filter(({ name }) => name === 'path')
       const { theme } = sceneOf(large)
       const has = (key: string, colour: string) =>
@@ -122,7 +150,7 @@ describe('a picture as SVG', () => {
     const { vertices, edges } = plan.frame
     const parts = (path: string) => path.split('M').length - 1
     expect(parts(pathOf('fill', themes.dark.vertex))).toBe(vertices.length)
-    const lines = edgeLines(problem.grid.width, problem.grid.height, edges)
+    const lines = runToEnd(edgeLines(problem.grid.width, problem.grid.height, edges))
     expect(parts(pathOf('stroke', themes.dark.roadmap))).toBe(lines.length / 2)
   })
 
@@ -139,8 +167,8 @@ describe('a picture as SVG', () => {
   it('refuses maps that would make files too large', () => {
     const striped = (columns: number, rows: number) =>
       Uint32Array.from({ length: columns * rows }, (_, i) => i % 2)
-    expect(svgCells(striped(MOST_RECTS, 1), MOST_RECTS)).toContain('h1v1')
-    expect(() => svgCells(striped(MOST_RECTS + 1, 1), MOST_RECTS + 1)).toThrow(InputError)
+    expect(runToEnd(svgCells(striped(MOST_RECTS, 1), MOST_RECTS))).toContain('h1v1')
+    expect(() => runToEnd(svgCells(striped(MOST_RECTS + 1, 1), MOST_RECTS + 1))).toThrow(InputError)
     const walls = Uint8Array.from({ length: 701 * 701 }, (_, i) => i % 2)
     const grid = { width: 701, height: 701, walls }
     expect(() => svgOf(sceneOf({ ...problem, grid, start: 0, goal: 2 }))).toThrow(

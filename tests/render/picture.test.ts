@@ -135,6 +135,19 @@ describe('a picture redraws only what has changed', () => {
     ])
   })
 
+  it('no tiles of a large map that are not yet painted', () => {
+    const picture = pictureOf(sceneOf(problem))
+    const large = sceneOf({ ...problem, grid: emptyGrid(1024, 1024) })
+    // Each canvas of a tile, as it gets its cells and as it is drawn from its half.
+    const tilesInFrame = () => {
+      calls.clear()
+      let asked = 0
+      picture.draw(large, { ...view, scale: 0.25 }, () => asked++ > 0)
+      return (calls.get('image') ?? 0) / 2
+    }
+    expect([tilesInFrame(), tilesInFrame()]).toEqual([1, 1])
+  })
+
   it('the cells when rows of them become vertices', () => {
     const tape = tapeOf(problem, 'decomposition')
     const first = kindsOf(tape).indexOf(EVENT.row)

@@ -45,7 +45,7 @@ describe('lines', () => {
   it('in view are those that a look at each finds, long ones too', () => {
     const index = new LineIndex(COLUMNS, ROWS)
     const edges = randomCells(2000)
-    const lines = edgeLines(COLUMNS, ROWS, edges)
+    const lines = runToEnd(edgeLines(COLUMNS, ROWS, edges))
     for (let i = 0; i < lines.length; i += 2) index.add(lines[i], lines[i + 1])
     for (let i = 0; i < 50; i++) {
       const where = randomPlace()

@@ -4,6 +4,7 @@ import { randomNumbers } from '../../src/grid/random'
 import { pictureAsSvg } from '../../src/render/export'
 import type { Scene } from '../../src/render/scene'
 import { themes } from '../../src/render/theme'
+import { runToEnd } from '../../src/render/work'
 import { frameAt } from '../../src/trace/fold'
 import { Tape } from '../../src/trace/tape'
 
@@ -31,7 +32,7 @@ export function sceneOf(problem: Problem, changes: Partial<Scene> = {}): Scene {
 }
 
 /** The text of its picture. */
-export const svgOf = (scene: Scene): string => pictureAsSvg(scene).content
+export const svgOf = (scene: Scene): string => runToEnd(pictureAsSvg(scene)).content
 
 /** The plan on a tape after `time` events; all of them if nothing is said. */
 export function momentOf(tape: Tape, time = tape.length) {

@@ -3,6 +3,7 @@ import { EdgeCover, edgeLines } from '../../src/render/edge-lines'
 import type { LineIndex } from '../../src/render/line-index'
 import { placeMap } from '../../src/render/placement'
 import { SlicedIndex } from '../../src/render/sliced-index'
+import { runToEnd } from '../../src/render/work'
 import { Tape } from '../../src/trace/tape'
 import { CELLS, COLUMNS, linesOf, place, ROWS, randomCells } from './indexed-map'
 
@@ -22,7 +23,7 @@ describe('an index that is made in slices', () => {
   const newLines = () => new SlicedIndex((columns, rows) => new EdgeCover(columns, rows))
   const whole = place(2)
   const shown = (index: SlicedIndex<LineIndex>) => linesOf(index.ready?.inView(whole) ?? [])
-  const nothingElse = (edges: Int32Array) => linesOf(edgeLines(COLUMNS, ROWS, edges))
+  const nothingElse = (edges: Int32Array) => linesOf(runToEnd(edgeLines(COLUMNS, ROWS, edges)))
   // Short ones: so many of any length would cover most of the map.
   const manyEdges = Int32Array.from({ length: 80_000 }, (_, i) => {
     const cell = Math.floor(i / 2) % (CELLS - 2)
@@ -31,7 +32,7 @@ describe('an index that is made in slices', () => {
 
   it('is that of the whole list, whatever the slices', () => {
     const [columns, rows] = [700, 300]
-    const lines = linesOf(edgeLines(columns, rows, manyEdges))
+    const lines = linesOf(runToEnd(edgeLines(columns, rows, manyEdges)))
     for (const questions of [1, 2, 3, 5]) {
       const index = newLines()
       const tape = newTape(columns, rows)

@@ -1,13 +1,15 @@
 import { openingResults } from '../../experiments/open-results'
 import { RESULTS_FORMAT } from '../../experiments/results'
 import type { GivenMap } from '../../experiments/settings'
-import { readSettings } from '../../experiments/settings-check'
+import { checkSettings } from '../../experiments/settings-check'
 import { InputError, messageOf } from '../../grid/errors'
-import { openMap } from '../../grid/formats/open-map'
-import { gridToRows } from '../../grid/text-map'
+import { fileText } from '../../grid/file-text'
+import { parseJson } from '../../grid/formats/json'
+import { rowByRow } from '../../grid/text-map'
 import { byId } from '../element'
 import { onFileChosen } from '../files/chosen-file'
 import { inSlices } from '../files/in-slices'
+import { readMap } from '../files/opening-worker'
 import { showWork } from '../files/shown-work'
 import { tell } from '../state/messages'
 import type { Store } from '../state/store'
@@ -23,7 +25,9 @@ export function* openingText(
 ): Generator<number, (state: PageState) => PageState, void> {
   const isResults = text.startsWith('#') || text.slice(0, 200).includes(RESULTS_FORMAT)
   if (!isResults) {
-    const settings = readSettings(text)
+    const value = parseJson(fileText(text))
+    yield 0.5
+    const settings = checkSettings(value)
     return (state) => openSettings(state, settings)
   }
   const results = yield* openingResults(text)
@@ -56,13 +60,22 @@ async function openMaps(store: Store<PageState>, files: readonly File[]): Promis
   const maps: GivenMap[] = []
   for (const file of files) {
     try {
-      const { problem } = openMap(await textOf(file))
-      maps.push({ name: file.name, rows: gridToRows(problem.grid) })
+      const rows = await showWork(store, `Opening ${file.name}…`, ({ signal }) =>
+        readRows(file, signal),
+      )
+      if (rows) maps.push({ name: file.name, rows })
     } catch (error) {
       refuse(store, file, error)
     }
   }
   if (maps.length > 0) store.update((state) => addMaps(state, maps))
+}
+
+async function readRows(file: File, signal: AbortSignal): Promise<readonly string[]> {
+  const { problem } = await readMap(file, signal)
+  const rows: string[] = []
+  await inSlices(rowByRow(problem.grid), (some) => rows.push(...some), signal)
+  return rows
 }
 
 async function textOf(file: File): Promise<string> {

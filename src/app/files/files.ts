@@ -1,44 +1,32 @@
-import { InputError, messageOf } from '../../grid/errors'
+import type { OpenedMap } from '../../grid/formats/opened-map'
 import type { Problem } from '../../grid/problem'
-import { fetchedPart } from '../fetched-part'
 import { tell } from '../state/messages'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
 import { changeMap } from '../state/transitions'
 import { DIAGONAL_RULE_WORDS } from '../words/diagonal-rules'
 import { onFileChosen } from './chosen-file'
-
-/** More than any map needs; a larger file is not even read. */
-const MOST_BYTES = 64 * 2 ** 20
+import { MapsBeside } from './map-beside'
+import { readMap } from './opening-worker'
 
 /**
- * Opens the map in a file. If that fails, a message says why, and the map on screen stays.
- * @param isWanted whether no other file was asked for while this one was read
+ * Returns what opens the map in a file. If that fails, a message says why, and the map on screen stays.
  */
-async function openFile(store: Store<State>, file: File, isWanted: () => boolean): Promise<void> {
-  try {
-    if (file.size > MOST_BYTES) {
-      const size = Math.round(file.size / 2 ** 20)
-      throw new InputError(
-        `It has ${size} MB, more than the ${MOST_BYTES / 2 ** 20} MB of any map.`,
-      )
-    }
-    const { openMap } = await fetchedPart(import('../../grid/formats/open-map'))
-    const text = await file.text()
-    if (!isWanted()) return
-    const { problem, notes } = openMap(text)
-    const { width, height } = problem.grid
-    const opened = `Opened ${file.name}: ${width} × ${height} cells.`
-    store.update((state) => {
-      const changed = changeMap(state, { ...state.setup, problem }, opened)
-      return tell(changed, 'note', [opened, ...notes, ...ruleNote(state, problem)].join(' '))
+export function openingFor(store: Store<State>, read = readMap): (file: File) => void {
+  const beside = new MapsBeside(store)
+  return (file) =>
+    void beside.make({
+      words: { doing: `Opening ${file.name}…`, failed: `${file.name} was not opened` },
+      make: (signal) => read(file, signal),
+      put: (opened) => store.update((state) => withMap(state, file.name, opened)),
     })
-  } catch (error) {
-    if (!isWanted()) return
-    store.update((state) =>
-      tell(state, 'error', `${file.name} was not opened. ${messageOf(error)}`),
-    )
-  }
+}
+
+function withMap(state: State, name: string, { problem, notes }: OpenedMap): State {
+  const { width, height } = problem.grid
+  const opened = `Opened ${name}: ${width} × ${height} cells.`
+  const changed = changeMap(state, { ...state.setup, problem }, opened)
+  return tell(changed, 'note', [opened, ...notes, ...ruleNote(state, problem)].join(' '))
 }
 
 /** Who did not choose another rule would wonder why the same map has another path. */
@@ -49,4 +37,4 @@ function ruleNote({ setup }: State, { diagonal }: Problem): string[] {
 
 /** Binds the page's file input and dropping a file on the page; returns what asks for a file. */
 export const bindFiles = (store: Store<State>): (() => void) =>
-  onFileChosen(store, (file, isWanted) => void openFile(store, file, isWanted))
+  onFileChosen(store, openingFor(store))

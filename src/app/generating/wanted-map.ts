@@ -11,11 +11,6 @@ export interface WantedMap {
   readonly seed: number
 }
 
-/** What the worker says to it. */
-export type GeneratingAnswer =
-  | { readonly kind: 'generated'; readonly problem: Problem }
-  | { readonly kind: 'refused'; readonly message: string }
-
 /**
  * Its diagonal rule is any: a map that comes later is planned by the one chosen then.
  * @throws InputError if there is no such map

@@ -86,14 +86,16 @@ function skipSpace(text: string, from: number): number {
   }
 }
 
+const [QUOTE, BACKSLASH, SPACE] = Array.from('"\\ ', (sign) => sign.charCodeAt(0))
 const ESCAPE = /\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4})/y
 
 /** The place of the closing quote, or of what must not stand in a string. */
 function endOfString(text: string, from: number): number {
   for (let at = from + 1; ; at++) {
-    const sign = text[at]
-    if (sign === undefined || sign === '"' || sign < ' ') return at
-    if (sign !== '\\') continue
+    // By their codes: a text may be a row of a large map. There is none after the end.
+    const code = text.charCodeAt(at)
+    if (!(code >= SPACE) || code === QUOTE) return at
+    if (code !== BACKSLASH) continue
     ESCAPE.lastIndex = at
     if (!ESCAPE.test(text)) return at
     at = ESCAPE.lastIndex - 1

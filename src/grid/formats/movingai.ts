@@ -2,16 +2,16 @@ import { InputError } from '../errors'
 import { excerpt } from '../excerpt'
 import type { Grid } from '../grid'
 import { checkSize } from '../problem'
-import { gridToRows } from '../text-map'
+import { rowByRow } from '../text-map'
 
 /**
- * The map in the format of the MovingAI benchmarks, `.` free and `@` obstacle. Start, goal and the
- * diagonal rule have no place in it.
+ * The map in the format of the MovingAI benchmarks, `.` free and `@` obstacle, in parts. Start, goal
+ * and the diagonal rule have no place in it.
  * Source: N. R. Sturtevant, "Benchmarks for grid-based pathfinding", 2012.
  */
-export function movingAiMap(grid: Grid): string {
-  const rows = gridToRows(grid, '@')
-  return `type octile\nheight ${grid.height}\nwidth ${grid.width}\nmap\n${rows.join('\n')}\n`
+export function* movingAiMap(grid: Grid): Generator<string, void, void> {
+  yield `type octile\nheight ${grid.height}\nwidth ${grid.width}\nmap\n`
+  for (const row of rowByRow(grid, '@')) yield `${row}\n`
 }
 
 /** The signs of cells that can be passed: ground, ground of another kind, swamp. */

@@ -3,7 +3,7 @@ import { InputError } from '../errors'
 import { type Cell, type Grid, isInside } from '../grid'
 import { checkProblem, type Problem } from '../problem'
 import { DIAGONAL_RULES } from '../steps'
-import { gridFromRows, gridToRows } from '../text-map'
+import { gridFromRows, rowByRow } from '../text-map'
 import type { OpenedMap } from './opened-map'
 import { list, readShape, whole } from './shape'
 
@@ -11,20 +11,23 @@ import { list, readShape, whole } from './shape'
 export const FORMAT = 'path-planner'
 const VERSION = 1
 
-/** A problem as a JSON text, one line a row of the map; `openMap` reads it. */
-export function saveProject({ grid, start, goal, diagonal }: Problem): string {
+/** A problem as a JSON text, one line a row of the map, in parts; `openMap` reads it. */
+export function* saveProject(problem: Problem): Generator<string, void, void> {
+  const { grid, start, goal, diagonal } = problem
   const point = (cell: Cell) => `[${cell % grid.width}, ${Math.floor(cell / grid.width)}]`
-  return `{
+  yield `{
   "format": "${FORMAT}",
   "version": ${VERSION},
   "diagonal": "${diagonal}",
   "start": ${point(start)},
   "goal": ${point(goal)},
-  "rows": [
-    "${gridToRows(grid).join('",\n    "')}"
-  ]
-}
-`
+  "rows": [`
+  let between = ''
+  for (const row of rowByRow(grid)) {
+    yield `${between}\n    "${row}"`
+    between = ','
+  }
+  yield '\n  ]\n}\n'
 }
 
 const versionShape = v.object({ version: whole })

@@ -1,10 +1,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
+import { MISSING_PART } from '../../../src/app/fetched-part'
+import type { MapAnswer } from '../../../src/app/files/map-worker'
 import { generatingFor } from '../../../src/app/generating/generating'
-import {
-  type GeneratingAnswer,
-  makeMap,
-  type WantedMap,
-} from '../../../src/app/generating/wanted-map'
+import { makeMap, type WantedMap } from '../../../src/app/generating/wanted-map'
 import { dismiss } from '../../../src/app/state/messages'
 import { withDiagonal, withGrid } from '../../../src/app/state/setup'
 import type { State } from '../../../src/app/state/state'
@@ -18,11 +16,11 @@ import { stateFrom } from '../setups'
 const small = { generatorId: 'maze', size: { width: 256, height: 256 }, params: {}, seed: 7 }
 const large = { ...small, size: { width: 257, height: 256 } }
 const WORDS = 'A maze.'
-const CHANGED = 'No map was generated, because the one on screen was changed meanwhile.'
+const CHANGED = 'No map was generated, because the map on screen was changed meanwhile.'
 
-class GeneratingWorker extends FakeWorker<WantedMap, GeneratingAnswer> {
+class GeneratingWorker extends FakeWorker<WantedMap, MapAnswer> {
   async finish(): Promise<void> {
-    this.say({ kind: 'generated', problem: makeMap(this.questions[0]) })
+    this.say({ kind: 'made', problem: makeMap(this.questions[0]), notes: [] })
     await settled()
   }
 }
@@ -150,7 +148,7 @@ describe('generating a map', () => {
     await settled()
     expect(told()).toEqual([
       ['error', 'No map was generated. No room.'],
-      ['error', 'No map was generated. The generating worker could not be started.'],
+      ['error', `No map was generated. ${MISSING_PART}`],
     ])
     expect(store.state.setup).toBe(before)
   })

@@ -7,3 +7,6 @@ export function mustRefuse(text: string, message: string): void {
   expect(() => openMap(text)).toThrow(InputError)
   expect(() => openMap(text)).toThrow(message)
 }
+
+/** The whole of a text that comes in parts. */
+export const whole = (parts: Iterable<string>): string => [...parts].join('')

@@ -4,14 +4,14 @@ import { openMap } from '../../../src/grid/formats/open-map'
 import { saveProject } from '../../../src/grid/formats/project-file'
 import { checkProblem, InputError, type Problem, problemToText } from '../../../src/index'
 import { problems } from '../arbitraries'
-import { mustRefuse } from './files'
+import { mustRefuse, whole } from './files'
 import { project } from './sound-file'
 
 describe("the project's own file", () => {
   test('is opened as it was saved', () => {
     fc.assert(
       fc.property(problems, (problem) => {
-        expect(openMap(saveProject(problem))).toEqual({ problem, notes: [] })
+        expect(openMap(whole(saveProject(problem)))).toEqual({ problem, notes: [] })
       }),
     )
   })
@@ -23,7 +23,7 @@ describe("the project's own file", () => {
       goal: 5,
       diagonal: 'only-when-no-obstacles',
     }
-    expect(saveProject(problem)).toBe(`{
+    expect(whole(saveProject(problem))).toBe(`{
   "format": "path-planner",
   "version": 1,
   "diagonal": "only-when-no-obstacles",
@@ -106,7 +106,7 @@ describe("the project's own file", () => {
   })
 
   test('a project file cut off anywhere, or with any sign exchanged, opens or is refused', () => {
-    const sound = saveProject(openMap(project()).problem)
+    const sound = whole(saveProject(openMap(project()).problem))
     const open = (text: string) => {
       try {
         checkProblem(openMap(text).problem)
@@ -132,7 +132,7 @@ describe("the project's own file", () => {
       goal: side * side - 1,
       diagonal: 'only-when-no-obstacles',
     }
-    const opened = openMap(saveProject(problem)).problem
+    const opened = openMap(whole(saveProject(problem))).problem
     expect(Buffer.compare(opened.grid.walls, walls)).toBe(0)
     expect({ ...opened, grid: null }).toEqual({ ...problem, grid: null })
     expect(() => openMap(problemToText(problem))).not.toThrow()
