@@ -88,7 +88,10 @@ test('the focus stays in the card when the button that has it goes', async ({ pa
   await expect(page.getByRole('button', { name: 'Plan again' })).toBeFocused()
   await page.keyboard.press('Enter')
   await expectResult(page, 'Planning…')
-  await expect(page.getByRole('button', { name: 'Fold the result card' })).toBeFocused()
+  // On its only button, or on the next one to cancel with if that is there at once.
+  await expect(
+    page.getByRole('region', { name: 'Planning…' }).locator('button:focus'),
+  ).toBeVisible()
 })
 
 test('a plan that nobody waits for any more is dropped', async ({ map, page }) => {
