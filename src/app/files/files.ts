@@ -1,7 +1,7 @@
 import { InputError, messageOf } from '../../grid/errors'
 import type { Problem } from '../../grid/problem'
 import { fetchedPart } from '../fetched-part'
-import { tell } from '../state/messages'
+import { tell, tellOfMap } from '../state/messages'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
 import { changeMap } from '../state/transitions'
@@ -31,7 +31,7 @@ async function openFile(store: Store<State>, file: File, isWanted: () => boolean
     const opened = `Opened ${file.name}: ${width} × ${height} cells.`
     store.update((state) => {
       const changed = changeMap(state, { ...state.setup, problem }, opened)
-      return tell(changed, 'note', [opened, ...notes, ...ruleNote(state, problem)].join(' '))
+      return tellOfMap(changed, 'note', [opened, ...notes, ...ruleNote(state, problem)].join(' '))
     })
   } catch (error) {
     if (!isWanted()) return
