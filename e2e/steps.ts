@@ -70,8 +70,9 @@ export const currentLine = (page: Page): Locator =>
 export const cellFacts = (page: Page): Locator =>
   playback(page).getByText(/^(\(\d+, \d+\), |Point at a cell)/)
 
-/** Everything that is said from now on, in its order. */
+/** Everything that is said from now on, in its order; of what was done before nothing. */
 export async function listen(page: Page): Promise<() => Promise<string[]>> {
+  await drawn(page)
   const heard = await page.getByRole('status').evaluateHandle((region) => {
     const texts: string[] = []
     // The same words again differ by a space at their end.

@@ -5,6 +5,7 @@ import { pathStyles } from '../../src/render/path-styles'
 import { expectAccessible } from '../accessibility'
 import { choosePlanner, expectSaid, openMap } from '../actions'
 import { expect, test } from '../fixtures'
+import { playback } from '../steps'
 
 const MAP = `
 ..............
@@ -107,6 +108,20 @@ test('an edit updates the table, and the comparison ends', async ({ map, page })
   await page.getByRole('button', { name: 'End the comparison' }).click()
   await expect(card(page)).toBeHidden()
   await expect(page.getByRole('button', { name: 'Compare planners' })).toBeFocused()
+})
+
+test('it is as wide as the playback below it, folded too', async ({ page }) => {
+  await page.setViewportSize({ width: 1920, height: 1080 })
+  await compare(page)
+  const sides = (part: Locator) =>
+    part.evaluate((element) => {
+      const { left, right } = element.getBoundingClientRect()
+      return [left, right]
+    })
+  expect(await sides(card(page))).toEqual(await sides(playback(page)))
+  await page.getByRole('button', { name: 'Fold the comparison' }).click()
+  await expect(card(page).getByRole('table')).toBeHidden()
+  expect(await sides(card(page))).toEqual(await sides(playback(page)))
 })
 
 test('of a large map no number is cut off', async ({ page }) => {

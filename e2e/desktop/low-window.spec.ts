@@ -93,6 +93,8 @@ const foldComparison = (page: Page) => page.getByRole('button', { name: 'Fold th
 for (const size of [
   { width: 1366, height: 500 },
   { width: 900, height: 600 },
+  { width: 760, height: 580 },
+  { width: 641, height: 580 },
   { width: 853, height: 480 },
   { width: 640, height: 360 },
 ]) {
@@ -115,6 +117,7 @@ for (const size of [
     await expectPlaybackInReach(page)
     // One that comes again comes unfolded.
     await compare.click()
+    await expect(comparison).toBeHidden()
     await compare.click()
     await expect(firstRow).toBeInViewport({ ratio: 0.3 })
   })

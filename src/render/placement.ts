@@ -1,6 +1,6 @@
 import type { Cell, Size } from '../grid/grid'
 import type { Box } from './box'
-import type { View } from './view'
+import { FULL_CELL, type View } from './view'
 
 /** Size of the screen in device pixels, and how many of them make a CSS pixel. */
 export interface DeviceScreen {
@@ -18,7 +18,7 @@ export interface Placement {
   /** Top left of the map: whole numbers, so that lines are crisp. */
   readonly left: number
   readonly top: number
-  /** Device pixels in a CSS pixel. */
+  /** Device pixels in a CSS pixel, and more if cells are very large: the measure of lines and marks. */
   readonly pixel: number
   /** Columns `fromX` to `toX` - 1 and rows `fromY` to `toY` - 1 can be seen, at least partly. */
   readonly fromX: number
@@ -38,7 +38,7 @@ export function placeMap(view: View, { width, height }: Size, screen: DeviceScre
     cell,
     left,
     top,
-    pixel,
+    pixel: pixel * Math.max(1, view.scale / FULL_CELL),
     fromX: Math.max(0, Math.floor(-left / cell)),
     toX: Math.min(width, Math.ceil((screen.width - left) / cell)),
     fromY: Math.max(0, Math.floor(-top / cell)),

@@ -24,8 +24,12 @@ export interface ScreenSize {
 /** From this size on, cells have lines between them, and `fitView` gives them whole pixels. */
 export const LINES_FROM = 6
 
-const LARGEST_CELL = 80
-const LARGEST_FITTED_CELL = 56
+/** `fitView` makes cells no larger, but on large screens. From it on, lines and marks grow with the cells. */
+export const FULL_CELL = 56
+
+const LARGEST_CELL = 160
+/** So many cells side by side fill the room on a large screen: what has fewer is not blown up farther. */
+const FEWEST_ACROSS = 15
 const SHORTEST_MAP_SIDE = 128
 const KEPT_ON_SCREEN = 48
 const FIT_MARGIN = 16
@@ -89,12 +93,10 @@ export function panBy(view: View, dx: number, dy: number, grid: Size, screen: Sc
 
 /** The view that shows the whole map, as large as it gets, in the middle of `rect`. */
 export function fitView(grid: Size, rect: Rect): View {
-  const { min } = scaleLimits(grid)
-  const fitting = Math.min(
-    (rect.width - 2 * FIT_MARGIN) / grid.width,
-    (rect.height - 2 * FIT_MARGIN) / grid.height,
-    LARGEST_FITTED_CELL,
-  )
+  const { min, max } = scaleLimits(grid)
+  const [width, height] = [rect.width - 2 * FIT_MARGIN, rect.height - 2 * FIT_MARGIN]
+  const largest = clamp(Math.min(width, height) / FEWEST_ACROSS, FULL_CELL, max)
+  const fitting = Math.min(width / grid.width, height / grid.height, largest)
   const scale = Math.max(min, fitting >= LINES_FROM ? Math.floor(fitting) : fitting)
   return {
     scale,

@@ -70,6 +70,8 @@ describe('the keyboard on the map', () => {
     const state = type(begin, 'ArrowRight', 'ArrowLeft', ' ')
     expect(state.setup).toBe(begin.setup)
     expect(state.messages[0].text).toBe('(0, 0) is the start: no obstacle can be there.')
+    // Which is not so any more once the start is elsewhere.
+    expect(type(state, 'ArrowRight', 's').messages).toEqual([])
   })
 
   it('undoes and redoes with the usual keys', () => {

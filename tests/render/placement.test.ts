@@ -5,6 +5,7 @@ import {
   centreY,
   edgeX,
   edgeY,
+  inProportion,
   isVisible,
   mayBeSeen,
   placeMap,
@@ -18,6 +19,18 @@ describe('placeMap', () => {
     expect([place.cell, place.left, place.top]).toEqual([20, 40, 10])
     expect([centreX(place, 9), centreY(place, 9)]).toEqual([70, 40])
     expect([edgeX(place, 8), edgeY(place, 6)]).toEqual([200, 130])
+  })
+
+  it('lets lines and marks grow with very large cells, whatever their bounds', () => {
+    const lineAt = (scale: number) =>
+      inProportion(
+        placeMap({ scale, left: 0, top: 0 }, { width: 8, height: 6 }, screen),
+        0.22,
+        2,
+        9,
+      )
+    expect([lineAt(10), lineAt(50), lineAt(56)]).toEqual([4.4, 18, 18])
+    expect(lineAt(112)).toBe(36)
   })
 
   it('knows the columns and rows on the screen: no fewer, no more', () => {

@@ -130,6 +130,18 @@ describe('fitView', () => {
     expect(scale).toBe(11)
   })
 
+  it.each([
+    ['keeps cells at 56 pixels on a screen of a usual size', 1200, 800, 10, 8, 56],
+    ['fits a small map on a large screen into the room', 3200, 2000, 20, 15, 131],
+    ['makes cells no larger than 15 of them would be', 3200, 2000, 3, 2, 131],
+  ] as const)('%s', (_, width, height, columns, rows, side) => {
+    const rect = { left: 0, top: 0, width, height }
+    const size = { width: columns, height: rows }
+    const view = fitView(size, rect)
+    expect(view.scale).toBe(side)
+    expect(zoomAt(view, 1, 0, 0, size)).toEqual(view)
+  })
+
   it('shrinks the cells of a large map below a pixel', () => {
     const size = { width: 2048, height: 2048 }
     const { scale, left, top } = fitView(size, { left: 0, top: 0, width: 390, height: 844 })

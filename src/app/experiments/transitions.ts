@@ -10,6 +10,7 @@ import {
 import { rangeOfShard } from '../../experiments/shards'
 import { groupBy } from '../../experiments/summary/groups'
 import { durationInWords } from '../../experiments/time-left'
+import { withoutErrors } from '../state/messages'
 import { countInWords, numberInWords } from '../words/numbers'
 import { type Draft, draftOf, type Entry, type List, newEntry } from './draft'
 import { checkDraft } from './faults'
@@ -27,8 +28,10 @@ const remake = (state: PageState, change: Partial<Draft>): PageState => ({
   formMade: state.formMade + 1,
 })
 
-export const openSettings = (state: PageState, settings: ExperimentSettings): PageState =>
-  remake(state, draftOf(settings))
+export const openSettings = (state: PageState, settings: ExperimentSettings): PageState => ({
+  ...remake(state, draftOf(settings)),
+  messages: withoutErrors(state.messages),
+})
 
 type Group = 'families' | 'planners'
 
@@ -70,6 +73,7 @@ const withEntry = (
 export const runStarted = (state: PageState, total: number): PageState => ({
   ...state,
   run: { kind: 'running', done: 0, total, left: null },
+  messages: withoutErrors(state.messages),
   said: `Running ${countInWords(total, 'map')}.`,
 })
 

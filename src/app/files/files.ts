@@ -1,6 +1,6 @@
 import type { OpenedMap } from '../../grid/formats/opened-map'
 import type { Problem } from '../../grid/problem'
-import { tell } from '../state/messages'
+import { tellOfMap } from '../state/messages'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
 import { changeMap } from '../state/transitions'
@@ -26,7 +26,7 @@ function withMap(state: State, name: string, { problem, notes }: OpenedMap): Sta
   const { width, height } = problem.grid
   const opened = `Opened ${name}: ${width} × ${height} cells.`
   const changed = changeMap(state, { ...state.setup, problem }, opened)
-  return tell(changed, 'note', [opened, ...notes, ...ruleNote(state, problem)].join(' '))
+  return tellOfMap(changed, 'note', [opened, ...notes, ...ruleNote(state, problem)].join(' '))
 }
 
 /** Who did not choose another rule would wonder why the same map has another path. */

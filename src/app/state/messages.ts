@@ -5,6 +5,8 @@ export interface Message {
   readonly text: string
   /** How much of work is done, from 0 to 1, in steps of a hundredth. */
   readonly done?: number
+  /** Whether it speaks of the map as it is: the next change of that takes it away. */
+  readonly isOfMap?: boolean
 }
 
 /** The part of a page's state that its messages are in. */
@@ -29,6 +31,26 @@ export function tell<State extends WithMessages>(
   if (others.length >= MOST_MESSAGES && oldest >= 0) others.splice(oldest, 1)
   return { ...state, messages: [...others, { id, kind, text }], messagesTold: id }
 }
+
+/** Shows a message that may be wrong once the map, or how it is planned, is changed. */
+export function tellOfMap<State extends WithMessages>(
+  state: State,
+  kind: 'error' | 'note',
+  text: string,
+): State {
+  const told = tell(state, kind, text)
+  const messages = told.messages.map((message) =>
+    message.id === told.messagesTold ? { ...message, isOfMap: true } : message,
+  )
+  return { ...told, messages }
+}
+
+export const withoutThoseOfMap = (messages: readonly Message[]): readonly Message[] =>
+  messages.filter(({ isOfMap }) => !isOfMap)
+
+/** What was tried in vain before is of no interest once it, or something else, was done. */
+export const withoutErrors = (messages: readonly Message[]): readonly Message[] =>
+  messages.filter(({ kind }) => kind !== 'error')
 
 export function workProgressed<State extends WithMessages>(
   state: State,

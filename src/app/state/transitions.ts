@@ -5,7 +5,7 @@ import { roomForMap } from '../layout/room'
 import { cursorOn, endWelcome } from '../playback/arrival'
 import type { Tempo } from '../playback/speeds'
 import * as history from './history'
-import { tell } from './messages'
+import { tellOfMap, withoutErrors, withoutThoseOfMap } from './messages'
 import type { Preferences } from './preferences'
 import { isSameSetup, plannerOf, type Setup, withGrid } from './setup'
 import { type Shown, type State, THE_END } from './state'
@@ -16,7 +16,8 @@ import { type Shown, type State, THE_END } from './state'
 export function edit(state: State, setup: Setup): State {
   if (setup === state.setup) return state
   const { grid, start } = setup.problem
-  const edited = { ...endWelcome(state), setup, clearPath: 'no' as const }
+  const messages = withoutThoseOfMap(state.messages)
+  const edited = { ...endWelcome(state), setup, clearPath: 'no' as const, messages }
   if (isSameSize(grid, state.setup.problem.grid)) return edited
   return fitToRoom({ ...edited, cursor: start, cursorShown: false, hovered: -1 })
 }
@@ -56,7 +57,7 @@ export function attempt(state: State, transition: (state: State) => State): Stat
   try {
     return transition(state)
   } catch (error) {
-    return tell(state, 'error', messageOf(error))
+    return tellOfMap(state, 'error', messageOf(error))
   }
 }
 
@@ -65,8 +66,8 @@ export function attempt(state: State, transition: (state: State) => State): Stat
  * open one are taken away.
  */
 export function changeMap(state: State, setup: Setup, text: string): State {
-  const messages = state.messages.filter((message) => message.kind !== 'error')
   const changed = change(state, setup, text)
+  const messages = withoutErrors(changed.messages)
   return fitToRoom({ ...changed, messages, time: THE_END, playing: null, kept: null })
 }
 

@@ -1,5 +1,5 @@
 import { messageOf } from '../../grid/errors'
-import { tell } from '../state/messages'
+import { tell, tellOfMap } from '../state/messages'
 import type { Setup } from '../state/setup'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
@@ -13,7 +13,11 @@ export function openLink(state: State, hash: string): State {
     if (!setup) return state
     const params = { ...state.setup.params, ...setup.params }
     const opened = changeMap(state, { ...setup, params }, 'The map of the link is open.')
-    return tell(opened, 'note', 'This is the map of a link. Undo brings back what was here before.')
+    return tellOfMap(
+      opened,
+      'note',
+      'This is the map of a link. Undo brings back what was here before.',
+    )
   } catch (error) {
     return tell(state, 'error', `The link was not opened. ${messageOf(error)}`)
   }

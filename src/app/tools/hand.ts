@@ -1,6 +1,6 @@
 import { type Cell, cellName, type Point } from '../../grid/grid'
 import { cellAt } from '../../render/view'
-import { tell } from '../state/messages'
+import { tellOfMap } from '../state/messages'
 import { withMark } from '../state/setup'
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
@@ -118,7 +118,7 @@ export class Hand {
     const name = cellName(setup.problem.grid.width, cell)
     if (setup.problem.grid.walls[cell]) {
       const text = `The ${mark} cannot be set at ${name}: an obstacle is there.`
-      this.#store.update((state) => tell(state, 'note', text))
+      this.#store.update((state) => tellOfMap(state, 'note', text))
       return
     }
     this.#nextMark = mark === 'start' ? 'goal' : 'start'

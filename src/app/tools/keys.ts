@@ -2,7 +2,7 @@ import { type Direction, DX, DY } from '../../grid/directions'
 import { type Cell, cellName, type Grid, isInside, pointOf } from '../../grid/grid'
 import { cellRect, panBy, type Rect, type ScreenSize, type View, zoomAt } from '../../render/view'
 import { roomForMap } from '../layout/room'
-import { tell } from '../state/messages'
+import { tellOfMap } from '../state/messages'
 import { withGrid, withMark } from '../state/setup'
 import type { State, Transition } from '../state/state'
 import {
@@ -147,7 +147,7 @@ function toggled(state: State): State {
   const grip = gripAt(problem, cursor)
   const name = cellName(problem.grid.width, cursor)
   if (grip === 'start' || grip === 'goal') {
-    return tell(state, 'note', `${name} is the ${grip}: no obstacle can be there.`)
+    return tellOfMap(state, 'note', `${name} is the ${grip}: no obstacle can be there.`)
   }
   const obstacle = grip === 'free'
   const { grid } = paint(problem, [cursor], obstacle)
@@ -161,7 +161,7 @@ function marked(state: State, mark: 'start' | 'goal'): State {
   const name = cellName(grid.width, cursor)
   if (!state.cursorShown) return cursorShown(state)
   if (grid.walls[cursor]) {
-    return tell(state, 'note', `${name} is an obstacle: the ${mark} cannot be there.`)
+    return tellOfMap(state, 'note', `${name} is an obstacle: the ${mark} cannot be there.`)
   }
   if (setup.problem[mark] === cursor) return say(state, `The ${mark} is at ${name} already.`)
   return change(state, withMark(setup, mark, cursor), `The ${mark} is now at ${name}.`)

@@ -4,6 +4,7 @@ import {
   addEntry,
   addMaps,
   editList,
+  openSettings,
   removeEntry,
   runEnded,
   runProgressed,
@@ -11,6 +12,7 @@ import {
   showResults,
   toggleSeries,
 } from '../../../src/app/experiments/transitions'
+import { tell } from '../../../src/app/state/messages'
 import { resultsToLines } from '../../../src/experiments/results-json'
 import { countWork } from '../../../src/experiments/settings'
 import { WHOLE } from '../../../src/experiments/shards'
@@ -47,6 +49,13 @@ describe('the state of the page', () => {
     }
     expect(said.size).toBe(4)
     expect(running.run).toMatchObject({ done: 100, total: 100 })
+  })
+
+  it('has no errors of before once a run has begun or settings are opened', () => {
+    const failed = tell(tell(state, 'error', 'The run was broken off.'), 'note', 'By the way.')
+    for (const next of [runStarted(failed, 1), openSettings(failed, settings)]) {
+      expect(next.messages.map(({ text }) => text)).toEqual(['By the way.'])
+    }
   })
 
   it('is told of one map as of one', () => {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { dismiss, tell } from '../../../src/app/state/messages'
+import { dismiss, tell, tellOfMap } from '../../../src/app/state/messages'
 import { withMark } from '../../../src/app/state/setup'
 import { cellAskedAbout, isSettled, type State, visiblePlan } from '../../../src/app/state/state'
 import {
@@ -238,5 +238,14 @@ describe('messages', () => {
     let state = tell(tell(begin, 'error', 'broken'), 'note', 'by the way')
     state = changeMap(state, { ...state.setup, problem: setupFrom('S.\n.G').problem }, 'New.')
     expect(state.messages.map((message) => message.text)).toEqual(['by the way'])
+  })
+
+  it('about the map as it was go with the next change, and others stay', () => {
+    const told = tellOfMap(tell(begin, 'note', 'by the way'), 'note', 'Undo brings it back.')
+    const texts = (state: State) => state.messages.map(({ text }) => text)
+    expect(texts(hover(told, 2))).toEqual(['by the way', 'Undo brings it back.'])
+    const changed = change(told, moved(told, 9), 'Moved.')
+    expect(texts(changed)).toEqual(['by the way'])
+    expect(texts(undo(tellOfMap(changed, 'note', 'Here is the goal.')))).toEqual(['by the way'])
   })
 })

@@ -47,7 +47,10 @@ describe('a page that is opened by a link', () => {
     expect(isLinked({ ...opened })).toBe(false)
     // A reload would open it again.
     expect(page.location.hash).not.toBe('')
+    expect(store.state.messages).toHaveLength(1)
     edit(2)
+    // Undo does not bring back any more what was here before the link.
+    expect(store.state.messages).toEqual([])
     expect(isLinked(opened)).toBe(false)
     expect(page.location.hash).toBe('')
   })
