@@ -32,7 +32,7 @@ export class NotingPen implements Pen {
   #dash: readonly number[] = []
   /** At first what others have drawn: each layer has to begin a path of its own. */
   #lines: Point[][] = [[{ x: -1000, y: -1000 }]]
-  #circles: Circle[] = []
+  #circles: Circle[] = [{ x: -1000, y: -1000, radius: 1 }]
 
   setLineDash(segments: Iterable<number>): void {
     this.#dash = [...segments]
