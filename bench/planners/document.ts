@@ -3,7 +3,7 @@ import { logScale } from '../../src/evaluation/scale'
 import type { Figure } from '../../src/evaluation/svg'
 import { count, figure, table } from '../../src/evaluation/words'
 import type { Checked } from './checked'
-import { faultInWords } from './faults'
+import { byContender, faultInWords } from './faults'
 import { aDoubling, type Growth, isGrowthMet, MOST_A_DOUBLING, searchers, walkers } from './growth'
 import type { Result } from './timed'
 import { COLUMNS, columnsOf, digits } from './words'
@@ -75,17 +75,15 @@ side apart, and joined by a path. The diagonal rule is \`only-when-no-obstacles\
 \`euclidean\` if nothing else is said.`
 
 function checkInMarkdown({ queries, faults }: Checked): string {
-  const names = [...new Set(faults.map(({ who }) => who))]
-  const worst = (name: string) => {
-    const own = faults.filter(({ who }) => who === name)
-    const greatest = own.reduce((a, b) => (b.cost / b.least > a.cost / a.least ? b : a))
-    return `- ${name}: ${own.length} wrong, the worst ${faultInWords(greatest)}, on ${greatest.map.origin}`
-  }
+  const lines = byContender(faults).map(
+    ({ who, count: wrong, worst }) =>
+      `- ${who}: ${wrong} wrong, the worst ${faultInWords(worst)}, on ${worst.map.origin}`,
+  )
   return `All were asked ${count(queries)} queries, the peers that take long on large maps fewer of those
 or none, and held against a plain Dijkstra. Ours gave the least cost each time, by every search. Peers that
 did not, under this rule and set up as they are here:
 
-${names.map(worst).join('\n')}`
+${lines.join('\n')}`
 }
 
 function ratiosInMarkdown(results: readonly Result[]): string {

@@ -1,4 +1,5 @@
 import { mkdirSync, writeFileSync } from 'node:fs'
+import { groupBy } from '../../src/experiments/summary/groups'
 import { movingAiMap } from '../../src/grid/formats/movingai'
 import { cellName } from '../../src/grid/grid'
 import type { Fault } from './check'
@@ -28,12 +29,18 @@ function saveFault({ who, map, query }: Fault): string {
 const offBy = ({ cost, least }: Fault): number =>
   Number.isFinite(cost) ? Math.abs(cost - least) / least : Number.POSITIVE_INFINITY
 
-/** What there is to say of those who were wrong: one line each, with the worst case. */
-export function faultLines(faults: readonly Fault[]): string[] {
-  const names = [...new Set(faults.map(({ who }) => who))]
-  return names.map((name) => {
-    const own = faults.filter(({ who }) => who === name)
-    const worst = own.reduce((a, b) => (offBy(b) > offBy(a) ? b : a))
-    return `${name}: ${own.length} wrong; worst ${faultInWords(worst)} on ${saveFault(worst)}`
-  })
+/** Those who were wrong, how often, and by which answer the most. */
+export function byContender(faults: readonly Fault[]) {
+  return [...groupBy(faults, ({ who }) => who)].map(([who, own]) => ({
+    who,
+    count: own.length,
+    worst: own.reduce((a, b) => (offBy(b) > offBy(a) ? b : a)),
+  }))
 }
+
+/** What there is to say of those who were wrong: one line each, with the worst case. */
+export const faultLines = (faults: readonly Fault[]): string[] =>
+  byContender(faults).map(
+    ({ who, count, worst }) =>
+      `${who}: ${count} wrong; worst ${faultInWords(worst)} on ${saveFault(worst)}`,
+  )

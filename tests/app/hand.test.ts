@@ -190,6 +190,15 @@ describe('the other buttons and Space', () => {
     expect(obstacles()).toEqual(cells([2, 2], [3, 2]))
   })
 
+  it('Space has been used once the map was dragged with it, and does nothing else then', () => {
+    press(at(1, 1), { button: 'middle' })
+    release()
+    expect(hand.spaceUsed).toBe(false)
+    hand.spaceHeld = true
+    press(at(1, 1))
+    expect(hand.spaceUsed).toBe(true)
+  })
+
   it('the right button sets the start, then the goal, and so on', () => {
     const click = (x: number, y: number) => {
       press(at(x, y), { button: 'right' })

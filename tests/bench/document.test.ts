@@ -1,7 +1,9 @@
 import { expect, test } from 'vitest'
 import type { Case } from '../../bench/planners/case'
 import { speedDocument } from '../../bench/planners/document'
+import { byContender } from '../../bench/planners/faults'
 import { type Growth, growers, isGrowthMet } from '../../bench/planners/growth'
+import { generatedMap } from '../../bench/planners/maps'
 import { columnsOf, digits, growthInWords } from '../../bench/planners/words'
 
 const one: Case = {
@@ -20,6 +22,13 @@ const growthTo = (exponent: number): Growth[] =>
     exponent,
     points: [64, 512, 2048].map((side) => ({ side, least: 1, median: side, greatest: 9000 })),
   }))
+
+const measured = {
+  checked: { queries: 1200, faults: [] },
+  results: [{ one, figures }],
+  growth: growthTo(1),
+  machine: 'a machine',
+}
 
 test('a case is one line: times, ratio, spread, target and whether it is met', () => {
   expect(columnsOf(one, figures)).toEqual([
@@ -55,12 +64,7 @@ test('growth is bound for decomposition by dijkstra and for potential fields', (
 test('the document has all cases, all planners and the drawings that it shows', () => {
   const missed = { one: { ...one, name: 'another' }, figures: { ...figures, met: false } }
   const { markdown, figures: drawings } = speedDocument(
-    {
-      checked: { queries: 1200, faults: [] },
-      results: [{ one, figures }, missed],
-      growth: growthTo(1),
-      machine: 'a machine',
-    },
+    { ...measured, results: [{ one, figures }, missed] },
     'speed',
   )
   expect(markdown).toContain('1 of 2 targets are met')
@@ -75,4 +79,24 @@ test('the document has all cases, all planners and the drawings that it shows', 
     expect(svg).toMatch(/^<svg [^>]*>/)
     expect(svg).not.toContain('NaN')
   }
+})
+
+test('of each who was wrong the document has the worst answer: no path at all, if there was such', () => {
+  const map = generatedMap('open', { width: 20, height: 20 }, 1, 1)
+  const fault = { who: 'a peer', isOurs: false, map, query: map.queries[0], least: 10 }
+  const faults = [
+    { ...fault, cost: 11 },
+    { ...fault, cost: Number.NaN },
+    { ...fault, cost: 12 },
+  ]
+  const other = { ...fault, who: 'another', cost: 10.5 }
+  expect(byContender([...faults, other])).toMatchObject([
+    { who: 'a peer', count: 3, worst: { cost: Number.NaN } },
+    { who: 'another', count: 1, worst: { cost: 10.5 } },
+  ])
+  const checked = { queries: 4, faults: [...faults, other] }
+  const { markdown } = speedDocument({ ...measured, checked }, 'speed')
+  expect(markdown).toContain(
+    '- a peer: 3 wrong, the worst no legal path from start to goal, on open 20×20, seed 1\n- another: 1 wrong, the worst 5.0 % too long (10.5, but the least is 10), on open 20×20, seed 1',
+  )
 })

@@ -3,7 +3,7 @@ import { bug1Bound, bug2Bound, type LengthBound } from '../../src/experiments/bo
 import { problemFromText } from '../../src/index'
 import { isBoxedIn, obstacleInTheWay, onceAround, type Turn } from '../reference/boundary'
 import { bug1 } from '../reference/bug1'
-import { LONG, must, onEveryMap } from '../reference/cases'
+import { ARE_MANY, LONG, must, onEveryMap } from '../reference/cases'
 import { mustNotExceed, type Run, run } from '../reference/run'
 import { flood, problemOf, simplest, steps, type World, type XY } from '../reference/world'
 
@@ -54,6 +54,7 @@ test('bug1 stays within D + 1.5 Σ p, and one round more where it is refused as 
       within++
     }
   })
+  if (!ARE_MANY) return
   // The exception is there, and it is one.
   expect(again).toBeGreaterThan(0)
   expect(again).toBeLessThan(within / 4)
@@ -76,7 +77,7 @@ test('bug2 with closer stays within D + ½ Σ n p', { timeout: LONG }, async () 
       if (expected > 20) tightest = Math.max(tightest, (found.path.length - 1) / expected)
     }
   })
-  expect(tightest).toBeGreaterThan(0.9)
+  if (ARE_MANY) expect(tightest).toBeGreaterThan(0.9)
 })
 
 test('a bound by hand: one obstacle, both sides of a thin wall', () => {

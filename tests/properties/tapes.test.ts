@@ -1,6 +1,6 @@
 import { test } from 'vitest'
 import { EVENT, frameAt, knownOf, type Outcome, plan, planners, Tape } from '../../src/index'
-import { LONG, must, onEveryMap } from '../reference/cases'
+import { ARE_MANY, LONG, must, onEveryMap } from '../reference/cases'
 import { Dice } from '../reference/random'
 import { run } from '../reference/run'
 import { anySettings } from '../reference/settings'
@@ -121,5 +121,5 @@ test('the seed, and nothing else, decides what is random', { timeout: LONG }, as
       } else mustBeEqual(planner.id, tapes[0], tapes[2])
     }
   })
-  must(different > 0, () => 'another seed never changed a thing')
+  must(different > 0 || !ARE_MANY, () => 'another seed never changed a thing')
 })

@@ -10,6 +10,9 @@ const COUNT = Number(process.env.MAPS ?? 2000)
 const SEED = Number(process.env.SEED ?? 1)
 const FIRST = Number(process.env.FIRST ?? 0)
 
+/** Whether there are so many maps that what is rare is among them, too. */
+export const ARE_MANY = COUNT >= 1000
+
 /** So long may one test take: all maps of a long run by hand. */
 export const LONG = 6 * 60 * 60 * 1000
 

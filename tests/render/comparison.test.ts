@@ -1,9 +1,10 @@
 import { describe, expect, it } from 'vitest'
 import { contrast, rgbOf } from '../../src/render/colour'
-import { inLane } from '../../src/render/layers/comparison'
+import { drawComparison, inLane } from '../../src/render/layers/comparison'
 import { pathStyles } from '../../src/render/path-styles'
 import { placeMap } from '../../src/render/placement'
 import { themes } from '../../src/render/theme'
+import { shapesOf } from './layers/noting-pen'
 import { randomProblem, sceneOf, svgOf } from './scenes'
 
 const problem = randomProblem(9, 9, 0, 1)
@@ -64,6 +65,22 @@ describe('the picture of compared paths', () => {
         expect(y - 24).toBeCloseTo(((lane - middle) / middle) * 0.34 * 32, 1)
       }
     }
+  })
+
+  it('has all casings below all lines, and gaps between dashes whatever ends others draw', () => {
+    const place = placeMap({ scale: 20, left: 0, top: 0 }, problem.grid, {
+      width: 180,
+      height: 180,
+      pixel: 1,
+    })
+    const comparison = pathStyles.map((style) => ({ path, style }))
+    const shapes = shapesOf((pen) => drawComparison(pen, place, themes.dark, comparison))
+    const casings = pathStyles.map(() => ({ colour: themes.dark.casing, isDashed: false }))
+    const lines = pathStyles.map(({ colour, dash }) => ({
+      colour: colour.dark,
+      isDashed: dash.length > 0,
+    }))
+    expect(shapes).toMatchObject([...casings, ...lines])
   })
 
   it('has none if none are compared', () => {

@@ -11,3 +11,14 @@ test('checkpoints of large frames are fewer: all together have 48 MiB, and the l
   const first = Array.from({ length: 12 }, (_, i) => 10 * (i + 1))
   expect(checkpoints.map(({ time }) => time)).toEqual([...first, 195])
 })
+
+test('what their fields take counts, too', () => {
+  const tape = new Tape()
+  tape.begin(512, 512)
+  tape.write(EVENT.potential, 0, -1, 1)
+  for (let cell = 1; cell < 400; cell++) tape.write(EVENT.vertex, cell)
+  const { checkpoints } = foldWhole(tape, 10, 5)
+  // 2.25 MiB each: 21 of 40.
+  const first = Array.from({ length: 21 }, (_, i) => 10 * (i + 1))
+  expect(checkpoints.map(({ time }) => time)).toEqual([...first, 395])
+})

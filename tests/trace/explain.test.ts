@@ -100,6 +100,13 @@ const SENTENCES: readonly (readonly [string, ...Written[]])[] = [
     [EVENT.hit, 1, 0, 1],
     [EVENT.turn, 1, 0],
   ],
+  ...(['left', 'right'] as const).map((side, turn): (typeof SENTENCES)[number] => [
+    `Step to (9, 5), keeping the border of the map on the ${side}.`,
+    [EVENT.step, 59, turn === 0 ? 49 : 69],
+    [EVENT.hit, 59, -1, 1],
+    [EVENT.turn, 59, turn],
+    [EVENT.feel, -1],
+  ]),
   ['Round the obstacle once, in 12 steps, and back at (4, 5).', [EVENT.around, 54, -1, 12]],
   ['Leave point 3 at (4, 5): away from the boundary.', [EVENT.leave, 54, -1, 3]],
   [

@@ -147,6 +147,29 @@ describe('the events of a trace', () => {
     ])
   })
 
+  test('of the first cell of the map are not of its border', () => {
+    const here = { id: 'step 0', x: 1, y: 0 }
+    const first = { id: '0,0', pId: 'step 0', x: 0, y: 0 }
+    expect(
+      written(
+        ['step', 1],
+        ['hit', 1, 0, 1],
+        ['feel', 0],
+        ['target', 0, -1, 2],
+        ['node', 0, -1, 3],
+        ['end', 1, STATUSES.indexOf('loop')],
+      ),
+    ).toEqual([
+      { type: 'step', ...here },
+      { type: 'hit', ...here, number: 1, obstacleX: 0, obstacleY: 0 },
+      { type: 'feel', ...first },
+      { type: 'target', ...first, distance: 2 },
+      { type: 'node', ...first, distance: 3 },
+      { type: 'end', ...here, status: 'loop' },
+    ])
+    expect(written(['vertex', 0], ['end', 0, 0])).toMatchObject([{}, { type: 'end', id: '0,0' }])
+  })
+
   test('of a rover have the id of its step, or of what it learned there', () => {
     expect(
       written(

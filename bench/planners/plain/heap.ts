@@ -3,10 +3,6 @@ export class Heap {
   readonly #items: number[] = []
   readonly #keys: number[] = []
 
-  get size(): number {
-    return this.#items.length
-  }
-
   push(item: number, key: number): void {
     const items = this.#items
     const keys = this.#keys

@@ -9,8 +9,6 @@ import { type OpenedMap, openedWithoutEnds } from './opened-map'
 import { readOriginal } from './original-file'
 import { FORMAT, readProject } from './project-file'
 
-export type { OpenedMap } from './opened-map'
-
 /** More characters than the largest map needs in any of the formats. */
 export const MAX_FILE_LENGTH = 2 ** 24
 const MAX_TEXT_MAP_LENGTH = 2 * MAX_SIDE * MAX_SIDE

@@ -13,7 +13,7 @@ import {
   togglePath,
 } from '../../../src/app/compare/transitions'
 import { defaultPreferences } from '../../../src/app/state/preferences'
-import { withSettings } from '../../../src/app/state/setup'
+import { withMark, withSettings } from '../../../src/app/state/setup'
 import { initialState } from '../../../src/app/state/state'
 import { setupFrom } from '../setups'
 import { entriesOf, walled } from './setups'
@@ -97,6 +97,16 @@ describe('the table', () => {
   it('is sorted by names', () => {
     expect(sorted('Planner', false)[0].plannerId).toBe('bug1')
     expect(sorted('Planner', true)[0].plannerId).toBe('visibility-graph')
+  })
+
+  it('has the numbers of a path of one cell, whose start is the goal, and none of no path', () => {
+    const titles = ['Cells', 'Length', 'Ratio', 'Turns', 'Walked', 'At most']
+    const numbers = (entry: ReturnType<typeof entryOf>) =>
+      titles.map((title) => textOf(title, entry))
+    const there = withMark(walled, 'goal', walled.problem.start)
+    expect(numbers(entryOf('bug1', there))).toEqual(['1', '0.00', '–', '0', '0', '≤ 0'])
+    const shut = setupFrom('S#.\n##.\n..G')
+    expect(numbers(entryOf('decomposition', shut))).toEqual(titles.map(() => '–'))
   })
 
   it('says whether its effort was expanded or sensed, if there was any', () => {

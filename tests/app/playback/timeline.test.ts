@@ -1,9 +1,22 @@
 import { describe, expect, it } from 'vitest'
 import { placeOf, timelineOf, timeOfPlace } from '../../../src/app/playback/timeline'
+import { EVENT, Tape } from '../../../src/index'
 import { HOOK, LONGER_HOOK, shownState } from '../setups'
 
 const timeline = timelineOf(shownState(HOOK).shown.tape)
 const { steps } = timeline
+
+it.each([
+  [0, [0]],
+  [1, [0, 1]],
+  [2, [0, 1, 2]],
+])('a tape of %d vertices is stepped through at %j', (vertices, moments) => {
+  const tape = new Tape()
+  tape.begin(2, 2)
+  for (let cell = 0; cell < vertices; cell++) tape.write(EVENT.vertex, cell)
+  const { steps, landmarks } = timelineOf(tape)
+  expect([[...steps], [...landmarks]]).toEqual([moments, []])
+})
 
 describe('the place on another tape', () => {
   const other = timelineOf(shownState(LONGER_HOOK).shown.tape)

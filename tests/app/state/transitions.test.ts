@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { dismiss, tell, tellOfMap } from '../../../src/app/state/messages'
+import { dismiss, tell, tellOfMap, workProgressed } from '../../../src/app/state/messages'
 import { withMark } from '../../../src/app/state/setup'
 import { cellAskedAbout, isSettled, type State, visiblePlan } from '../../../src/app/state/state'
 import {
@@ -15,6 +15,7 @@ import {
   hover,
   layOut,
   look,
+  moveCursor,
   planArrived,
   planCancelled,
   planFailed,
@@ -47,6 +48,14 @@ describe('edits', () => {
     const state = cancel(edit(begin, moved(begin, 9)))
     expect(state.setup).toBe(begin.setup)
     expect(commit(state, 'Moved.').history.past.length).toBe(0)
+  })
+
+  it('to a map of another size leave no cell of the one before on show', () => {
+    const pointed = hover(moveCursor(begin, 9), 9)
+    const other = { ...begin.setup, problem: setupFrom('..\nSG').problem }
+    expect(edit(pointed, other)).toMatchObject({ cursor: 2, cursorShown: false, hovered: -1 })
+    const same = { cursor: 9, cursorShown: true, hovered: 9 }
+    expect(edit(pointed, moved(pointed, 10))).toMatchObject(same)
   })
 
   it('that lead back to where they began are no step', () => {
@@ -225,6 +234,17 @@ describe('messages', () => {
     const working = tell(begin, 'work', 'Saving…')
     const state = ['a', 'b', 'c', 'd'].reduce((state, text) => tell(state, 'note', text), working)
     expect(state.messages.map((message) => message.text)).toEqual(['Saving…', 'c', 'd'])
+  })
+
+  it('of work say how much of it is done, by the hundredth', () => {
+    const working = tell(tell(begin, 'note', 'a'), 'work', 'Saving…')
+    const [, { id }] = working.messages
+    const state = workProgressed(working, id, 0.2549)
+    expect(state.messages.map(({ done }) => done)).toEqual([undefined, 0.25])
+    expect(workProgressed(state, id, 0.2451)).toBe(state)
+    expect(workProgressed(state, id, 0.26).messages[1].done).toBe(0.26)
+    const closed = dismiss(state, id)
+    expect(workProgressed(closed, id, 0.5)).toBe(closed)
   })
 
   it('never have the id of one that is gone', () => {

@@ -33,6 +33,24 @@ it('a border goes all around the map', () => {
   expect(boxOf(lines)).toEqual({ left: -1, top: -1, right, bottom })
 })
 
+/** The same map somewhere else on a screen, with so many device pixels in a CSS pixel. */
+const elsewhere = (pixel: number) =>
+  placeMap({ scale: SIDE, left: 20, top: 10 }, grid, { width: 2000, height: 2000, pixel })
+
+it.each([
+  [2, 2],
+  [1, 1],
+  [0.4, 1],
+])('with %d device pixels in a pixel the border is %d wide', (pixel, width) => {
+  const [{ lines }] = shapesOf((pen) => drawBorder(pen, elsewhere(pixel), theme))
+  expect(boxOf(lines)).toEqual({
+    left: 20 * pixel - width,
+    top: 10 * pixel - width,
+    right: (20 + COLUMNS * SIDE) * pixel + width,
+    bottom: (10 + ROWS * SIDE) * pixel + width,
+  })
+})
+
 describe('the lines of the grid', () => {
   it('lie between the cells, from end to end of what is seen', () => {
     const [{ colour, lines }] = shapesOf((pen) => drawLines(pen, corner, theme))
@@ -42,6 +60,23 @@ describe('the lines of the grid', () => {
       { left: 80, top: 0, right: 81, bottom: 80 },
       { left: 0, top: 40, right: 120, bottom: 41 },
     ])
+  })
+
+  it.each([
+    [4, 2],
+    [2, 1],
+    [1, 1],
+    [0.5, 1],
+  ])('end with the map: with %d device pixels in a pixel they are %d wide', (pixel, width) => {
+    const [{ lines }] = shapesOf((pen) => drawLines(pen, elsewhere(pixel), theme))
+    const [left, top] = [20 * pixel, 10 * pixel]
+    const [right, bottom] = [left + COLUMNS * SIDE * pixel, top + ROWS * SIDE * pixel]
+    const boxes = lines.map((line) => boxOf([line]))
+    const x = left + SIDE * pixel
+    const y = top + SIDE * pixel
+    expect(boxes[0]).toEqual({ left: x, top, right: x + width, bottom })
+    expect(boxes[COLUMNS - 1]).toEqual({ left, top: y, right, bottom: y + width })
+    expect(boxes).toHaveLength(COLUMNS - 1 + ROWS - 1)
   })
 
   it('fade in with the size of the cells', () => {

@@ -89,9 +89,14 @@ describe('ways', () => {
     },
   )
 
-  it.each([drawRoute, drawMLine])('none is drawn for a single cell', (draw) => {
-    expect(shapesOf((pen) => draw(pen, place, theme, [3]))).toEqual([])
-  })
+  it.each([drawRoute, drawMLine])(
+    'one is drawn for two cells, and none for a single one',
+    (draw) => {
+      const [, line] = shapesOf((pen) => draw(pen, place, theme, [3, 12]))
+      expect(line.lines).toEqual([[3, 12].map(middleOf)])
+      expect(shapesOf((pen) => draw(pen, place, theme, [3]))).toEqual([])
+    },
+  )
 })
 
 describe('hit points and leave points', () => {

@@ -23,7 +23,8 @@ export class NotingPen implements Pen {
   strokeStyle = ''
   lineWidth = 1
   lineJoin: CanvasLineJoin = 'miter'
-  lineCap: CanvasLineCap = 'butt'
+  /** What others have left: no layer has use for it. */
+  lineCap: CanvasLineCap = 'square'
   globalAlpha = 1
   font = ''
   textAlign: CanvasTextAlign = 'start'
@@ -32,7 +33,7 @@ export class NotingPen implements Pen {
   #dash: readonly number[] = []
   /** At first what others have drawn: each layer has to begin a path of its own. */
   #lines: Point[][] = [[{ x: -1000, y: -1000 }]]
-  #circles: Circle[] = []
+  #circles: Circle[] = [{ x: -1000, y: -1000, radius: 1 }]
 
   setLineDash(segments: Iterable<number>): void {
     this.#dash = [...segments]
@@ -77,6 +78,7 @@ export class NotingPen implements Pen {
   }
 
   stroke(): void {
+    this.#checkEnds()
     this.#note('stroke', this.#lines, this.#circles)
   }
 
@@ -85,11 +87,20 @@ export class NotingPen implements Pen {
   }
 
   strokeRect(x: number, y: number, width: number, height: number): void {
+    this.#checkEnds()
     this.#note('stroke', [cornersOf(x, y, width, height)], [])
   }
 
   fillText(text: string, x: number, y: number): void {
     this.#note('text', [[{ x, y }]], [], text)
+  }
+
+  /** Ends that reach out fill the gaps between dashes; dots are nothing but such ends. */
+  #checkEnds(): void {
+    const [dash] = this.#dash
+    if (dash === undefined) return
+    const cap = dash === 0 ? 'round' : 'butt'
+    if (this.lineCap !== cap) throw new Error(`These dashes have ends that are ${this.lineCap}.`)
   }
 
   #note(by: Shape['by'], lines: Point[][], circles: Circle[], text = ''): void {

@@ -74,8 +74,8 @@ describe('the rover', () => {
   })
 
   it('is joined to the nodes of its tangent graph, but for those off the map', () => {
-    const nodes = [cellAt(1, 1), -1, cellAt(5, 4)]
-    const inMap = [cellAt(1, 1), cellAt(5, 4)]
+    const nodes = [cellAt(0, 0), -1, cellAt(5, 4)]
+    const inMap = [cellAt(0, 0), cellAt(5, 4)]
     const [casing, lines, , diamonds] = shapesOf((pen) =>
       drawTangentGraph(pen, place, theme, rover, nodes),
     )
