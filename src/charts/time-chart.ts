@@ -1,32 +1,36 @@
 import type { Row } from '../experiments/row'
 import type { ExperimentSettings } from '../experiments/settings'
 import type { Quantiles } from '../experiments/summary/statistics'
-import { timeBySize } from '../experiments/summary/times'
+import { clockTick, timeBySize } from '../experiments/summary/times'
 import type { Size } from '../grid/grid'
 import { plural } from '../grid/plural'
 import type { Chart } from './chart'
-import { count, millisecondsInWords } from './words'
+import { count, millisecondsInWords, quantileInWords } from './words'
 
 const SLOWEST = 50
 
-/** In milliseconds, less than any clock can tell: 0 has no logarithm. */
-const LEAST_TIME = 0.001
-
-/** The median; or the mean if the median is 0, because most runs are shorter than a tick of the clock. */
-const timeOf = ({ median, mean }: Quantiles): number =>
-  Math.max(median > 0 ? median : mean, LEAST_TIME)
+/**
+ * The median; or where it is less than a tick of the clock, the mean, which many runs tell more exactly:
+ * to a tick of all of them together. A few slow runs do not lift it over the tick.
+ */
+const timeOf = ({ median, mean }: Quantiles, runs: number, tick: number): number =>
+  median < tick ? Math.min(Math.max(mean, tick / runs), tick) : median
 
 /** Time to plan over the size of the map, with a line for each planner setting. */
 export function timeChart(settings: ExperimentSettings, rows: readonly Row[]): Chart {
+  const tick = clockTick(rows)
   const curves = timeBySize(settings, rows)
+  const hasMeans = curves.some(({ points }) =>
+    points.some(({ milliseconds }) => milliseconds.median < tick),
+  )
   const marks = curves.flatMap(({ name, points }, series) =>
     points.map(({ cells, rows: own, milliseconds, ...size }) => ({
       series,
       x: cells,
-      y: timeOf(milliseconds),
-      low: Math.max(milliseconds.lower, LEAST_TIME),
-      high: Math.max(milliseconds.upper, LEAST_TIME),
-      label: `${name}, ${sizeOf(size)}: ${timeInWords(milliseconds)}, ${count(own.length)} ${plural(own.length, 'run')}`,
+      y: timeOf(milliseconds, own.length, tick),
+      low: milliseconds.lower < tick ? 0 : milliseconds.lower,
+      high: Math.max(milliseconds.upper, tick),
+      label: `${name}, ${sizeOf(size)}: ${spreadInWords(milliseconds, tick)}, ${count(own.length)} ${plural(own.length, 'run')}`,
       runs: [{ title: 'Slowest', rows: slowest(own) }],
     })),
   )
@@ -43,11 +47,17 @@ export function timeChart(settings: ExperimentSettings, rows: readonly Row[]): C
       'Median time to plan over the number of cells of the map, both logarithmic; half of the runs lie within the bars.',
       ...curves.map(({ name, points }) => {
         const [from, to] = [points[0], points[points.length - 1]]
-        return `${name}: ${millisecondsInWords(timeOf(from.milliseconds))} to ${millisecondsInWords(timeOf(to.milliseconds))}.`
+        const [first, last] = [from, to].map(({ milliseconds }) =>
+          quantileInWords(milliseconds.median, tick),
+        )
+        return `${name}: ${first} to ${last}.`
       }),
     ].join(' '),
     x: { label: 'Cells of the map', scale: 'log' },
-    y: { label: 'Time to plan (ms)', scale: 'log' },
+    y: {
+      label: `Median time to plan (ms)${hasMeans ? `; below ${tick} the mean` : ''}`,
+      scale: 'log',
+    },
     series: curves.map(({ name, setting }) => ({ name, style: setting })),
     marks,
     table: {
@@ -56,11 +66,11 @@ export function timeChart(settings: ExperimentSettings, rows: readonly Row[]): C
         name,
         ...sizes.map(([size]) => {
           const point = points.find((one) => sizeOf(one) === size)
-          return point ? millisecondsInWords(timeOf(point.milliseconds)) : '–'
+          return point ? medianInWords(point.milliseconds, tick) : '–'
         }),
       ]),
     },
-    missing: sizes.length < 2 ? 'It needs maps of at least two sizes.' : '',
+    missing: missingOf(sizes.length, tick),
   }
 }
 
@@ -69,8 +79,20 @@ const sizeOf = ({ width, height }: Size): string => `${width} × ${height}`
 const slowest = (rows: readonly Row[]): Row[] =>
   [...rows].sort((a, b) => b.milliseconds - a.milliseconds).slice(0, SLOWEST)
 
-function timeInWords(milliseconds: Quantiles): string {
-  const { median, mean, lower, upper } = milliseconds
-  if (median === 0) return `mean ${millisecondsInWords(mean)}`
-  return `median ${millisecondsInWords(median)}, half from ${millisecondsInWords(lower)} to ${millisecondsInWords(upper)}`
+function missingOf(sizes: number, tick: number): string {
+  if (sizes < 2) return 'It needs maps of at least two sizes.'
+  return tick > 0 ? '' : 'All runs were too short for the clock.'
+}
+
+/** "12 µs"; "under 100 µs, mean 24 µs". */
+function medianInWords({ median, mean }: Quantiles, tick: number): string {
+  const words = quantileInWords(median, tick)
+  return median < tick && mean > 0 ? `${words}, mean ${millisecondsInWords(mean)}` : words
+}
+
+function spreadInWords(milliseconds: Quantiles, tick: number): string {
+  const { median, lower, upper } = milliseconds
+  const words = `median ${medianInWords(milliseconds, tick)}`
+  if (median < tick) return words
+  return `${words}, half from ${quantileInWords(lower, tick)} to ${quantileInWords(upper, tick)}`
 }
