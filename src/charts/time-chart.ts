@@ -1,7 +1,11 @@
 import type { Row } from '../experiments/row'
 import type { ExperimentSettings } from '../experiments/settings'
-import type { Quantiles } from '../experiments/summary/statistics'
-import { clockTick, timeBySize } from '../experiments/summary/times'
+import {
+  clockTick,
+  estimateBelowTick,
+  type TimePoint,
+  timeBySize,
+} from '../experiments/summary/times'
 import type { Size } from '../grid/grid'
 import { plural } from '../grid/plural'
 import type { Chart } from './chart'
@@ -9,29 +13,26 @@ import { count, millisecondsInWords, quantileInWords } from './words'
 
 const SLOWEST = 50
 
-/**
- * The median; or where it is less than a tick of the clock, the mean, which many runs tell more exactly:
- * to a tick of all of them together. A few slow runs do not lift it over the tick.
- */
-const timeOf = ({ median, mean }: Quantiles, runs: number, tick: number): number =>
-  median < tick ? Math.min(Math.max(mean, tick / runs), tick) : median
+/** The median, or an estimate, which is no less than if the clock had ticked in one of the runs. */
+const timeOf = ({ milliseconds: { median }, rows }: TimePoint, tick: number): number =>
+  median < tick ? Math.max(estimateBelowTick(rows, tick), tick / rows.length) : median
 
 /** Time to plan over the size of the map, with a line for each planner setting. */
 export function timeChart(settings: ExperimentSettings, rows: readonly Row[]): Chart {
   const tick = clockTick(rows)
   const curves = timeBySize(settings, rows)
-  const hasMeans = curves.some(({ points }) =>
+  const hasEstimates = curves.some(({ points }) =>
     points.some(({ milliseconds }) => milliseconds.median < tick),
   )
   const marks = curves.flatMap(({ name, points }, series) =>
-    points.map(({ cells, rows: own, milliseconds, ...size }) => ({
+    points.map((point) => ({
       series,
-      x: cells,
-      y: timeOf(milliseconds, own.length, tick),
-      low: milliseconds.lower < tick ? 0 : milliseconds.lower,
-      high: Math.max(milliseconds.upper, tick),
-      label: `${name}, ${sizeOf(size)}: ${spreadInWords(milliseconds, tick)}, ${count(own.length)} ${plural(own.length, 'run')}`,
-      runs: [{ title: 'Slowest', rows: slowest(own) }],
+      x: point.cells,
+      y: timeOf(point, tick),
+      low: point.milliseconds.lower < tick ? 0 : point.milliseconds.lower,
+      high: Math.max(point.milliseconds.upper, tick),
+      label: `${name}, ${sizeOf(point)}: ${spreadInWords(point, tick)}, ${count(point.rows.length)} ${plural(point.rows.length, 'run')}`,
+      runs: [{ title: 'Slowest', rows: slowest(point.rows) }],
     })),
   )
   const sizes = [
@@ -55,7 +56,7 @@ export function timeChart(settings: ExperimentSettings, rows: readonly Row[]): C
     ].join(' '),
     x: { label: 'Cells of the map', scale: 'log' },
     y: {
-      label: `Median time to plan (ms)${hasMeans ? `; below ${tick} the mean` : ''}`,
+      label: `Median time to plan (ms)${hasEstimates ? `; below ${tick} estimated` : ''}`,
       scale: 'log',
     },
     series: curves.map(({ name, setting }) => ({ name, style: setting })),
@@ -66,7 +67,7 @@ export function timeChart(settings: ExperimentSettings, rows: readonly Row[]): C
         name,
         ...sizes.map(([size]) => {
           const point = points.find((one) => sizeOf(one) === size)
-          return point ? medianInWords(point.milliseconds, tick) : '–'
+          return point ? medianInWords(point, tick) : '–'
         }),
       ]),
     },
@@ -84,15 +85,16 @@ function missingOf(sizes: number, tick: number): string {
   return tick > 0 ? '' : 'All runs were too short for the clock.'
 }
 
-/** "12 µs"; "under 100 µs, mean 24 µs". */
-function medianInWords({ median, mean }: Quantiles, tick: number): string {
+/** "12 µs"; "under 100 µs, about 24 µs". */
+function medianInWords({ milliseconds: { median }, rows }: TimePoint, tick: number): string {
   const words = quantileInWords(median, tick)
-  return median < tick && mean > 0 ? `${words}, mean ${millisecondsInWords(mean)}` : words
+  const estimate = median < tick ? estimateBelowTick(rows, tick) : 0
+  return estimate > 0 ? `${words}, about ${millisecondsInWords(estimate)}` : words
 }
 
-function spreadInWords(milliseconds: Quantiles, tick: number): string {
-  const { median, lower, upper } = milliseconds
-  const words = `median ${medianInWords(milliseconds, tick)}`
+function spreadInWords(point: TimePoint, tick: number): string {
+  const { median, lower, upper } = point.milliseconds
+  const words = `median ${medianInWords(point, tick)}`
   if (median < tick) return words
   return `${words}, half from ${quantileInWords(lower, tick)} to ${quantileInWords(upper, tick)}`
 }

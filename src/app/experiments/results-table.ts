@@ -64,7 +64,7 @@ const COLUMNS: readonly Column[] = [
   {
     key: 'meanMilliseconds',
     title: 'Mean time',
-    help: 'To plan; of many runs it tells less than a tick of the clock',
+    help: 'To plan',
     show: ({ meanMilliseconds }) => millisecondsInWords(meanMilliseconds),
   },
 ]
