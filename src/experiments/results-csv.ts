@@ -98,13 +98,13 @@ interface Column {
   of(row: Row): Value
 }
 
-/** The comment alone in its line, or the first of its values, perhaps in quotes; the others are empty. */
-const COMMENT = /^("?)# (%7B[^",;\t]*)\1[,;\t]*$/
+/** The comment alone in its line, or as its first value, before empty ones; perhaps all in quotes. */
+const COMMENT = /^"?# (%7B[^",;\t]*)[",;\t]*$/
 
 /** Older versions wrote the JSON as it is, of which no spreadsheet leaves the quotes alone. */
 function settingsIn(comment: string): unknown {
   try {
-    const encoded = COMMENT.exec(comment)?.[2]
+    const encoded = COMMENT.exec(comment)?.[1]
     if (encoded !== undefined) return JSON.parse(decodeURIComponent(encoded))
     if (comment.startsWith('# ')) return JSON.parse(comment.slice(2))
   } catch {}

@@ -122,6 +122,7 @@ const inQuotes = (value: string) => (value === '' || /^\d/.test(value) ? value :
 test.each([
   ['with commas', ',', (value: string) => value],
   ['with commas and quotes', ',', inQuotes],
+  ['with tabs and quotes everywhere', '\t', (value: string) => `"${value}"`],
   ['with semicolons and decimal commas', ';', (value: string) => inCapitals(withComma(value))],
   ['with tabs, decimal commas and quotes', '\t', (value: string) => inQuotes(withComma(value))],
 ])('CSV that a spreadsheet saved again is opened: %s', (_, separator, change) => {
