@@ -42,6 +42,9 @@ async function runShard(
   const writer = out === null ? printRows(origin) : openRowsFile(out, origin)
   const { first, end } = rangeOfShard(shard, countWork(settings).maps)
   const maps = { first: writer.next, end }
+  if (out !== null && maps.first === end) {
+    process.stderr.write(`${out} is complete: nothing is left to run.\n`)
+  }
   const progress = new Progress(end - first, writer.next - first)
   const stop = new AbortController()
   for (const signal of ['SIGINT', 'SIGTERM'] as const) {

@@ -81,7 +81,9 @@ function checkTogether(files: readonly ShardFile[]): void {
       throw new InputError(`${path} and ${file.path} are of different settings.`)
     }
     if (shard.of !== of) {
-      throw new InputError(`${path} is one of ${of} shards, ${file.path} one of ${shard.of}.`)
+      throw new InputError(
+        `${path} is shard ${origin.shard.index}/${of}, but ${file.path} is shard ${shard.index}/${shard.of}.`,
+      )
     }
     const other = seen.get(shard.index)
     if (other)

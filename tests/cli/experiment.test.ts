@@ -98,11 +98,16 @@ describe('the rows are the same', () => {
     },
   )
 
-  test('of a file that is complete: nothing is run again', () => {
+  test('of a file that is complete: nothing is run again, and that is said', () => {
     const settings = settingsFile('small.json')
-    run(settings, '--out', 'complete.jsonl')
+    const words = 'complete.jsonl is complete: nothing is left to run.\n'
+    expect(run(settings, '--out', 'complete.jsonl').stderr).not.toContain(words)
     const before = textOf('complete.jsonl')
-    expect(run(settings, '--out', 'complete.jsonl').status).toBe(0)
+    expect(run(settings, '--out', 'complete.jsonl')).toEqual({
+      status: 0,
+      stdout: '',
+      stderr: words,
+    })
     expect(textOf('complete.jsonl')).toBe(before)
   })
 })
@@ -178,7 +183,9 @@ describe('shards are only merged', () => {
     const [a, b] = [shard('1/2', 'a.jsonl'), shard('2/2', 'b.jsonl')]
     expect(fault(a)).toContain('Shard 2/2 is missing.')
     expect(fault(a, b, a)).toContain('a.jsonl and a.jsonl are both shard 1/2.')
-    expect(fault(a, shard('2/3', 'c.jsonl'))).toContain('is one of 2 shards')
+    expect(fault(a, shard('2/3', 'c.jsonl'))).toContain(
+      'a.jsonl is shard 1/2, but c.jsonl is shard 2/3.',
+    )
     const other = shard('2/2', 'd.jsonl', { seed: 8 })
     expect(fault(a, other)).toContain('a.jsonl and d.jsonl are of different settings.')
     // Broken off before the end of the last line, which would join it with the first of the next.
