@@ -46,12 +46,12 @@ export function timeChart(settings: ExperimentSettings, rows: readonly Row[]): C
     title: 'Time to plan over size',
     summary: [
       'Median time to plan over the number of cells of the map, both logarithmic; half of the runs lie within the bars.',
+      ...(hasEstimates
+        ? [`Medians under ${millisecondsInWords(tick)}, a tick of the clock, are estimated.`]
+        : []),
       ...curves.map(({ name, points }) => {
         const [from, to] = [points[0], points[points.length - 1]]
-        const [first, last] = [from, to].map(({ milliseconds }) =>
-          quantileInWords(milliseconds.median, tick),
-        )
-        return `${name}: ${first} to ${last}.`
+        return `${name}: ${medianInWords(from, tick)} to ${medianInWords(to, tick)}.`
       }),
     ].join(' '),
     x: { label: 'Cells of the map', scale: 'log' },
@@ -85,16 +85,16 @@ function missingOf(sizes: number, tick: number): string {
   return tick > 0 ? '' : 'All runs were too short for the clock.'
 }
 
-/** "12 µs"; "under 100 µs, about 24 µs". */
+/** "12 µs", "about 24 µs" of an estimate, or "under 100 µs" if there is nothing to estimate it by. */
 function medianInWords({ milliseconds: { median }, rows }: TimePoint, tick: number): string {
-  const words = quantileInWords(median, tick)
   const estimate = median < tick ? estimateBelowTick(rows, tick) : 0
-  return estimate > 0 ? `${words}, about ${millisecondsInWords(estimate)}` : words
+  return estimate > 0 ? `about ${millisecondsInWords(estimate)}` : quantileInWords(median, tick)
 }
 
 function spreadInWords(point: TimePoint, tick: number): string {
   const { median, lower, upper } = point.milliseconds
-  const words = `median ${medianInWords(point, tick)}`
-  if (median < tick) return words
-  return `${words}, half from ${quantileInWords(lower, tick)} to ${quantileInWords(upper, tick)}`
+  const [words, from, to] = [median, lower, upper].map((time) => quantileInWords(time, tick))
+  if (median >= tick) return `median ${words}, half from ${from} to ${to}`
+  const estimate = medianInWords(point, tick)
+  return estimate === words ? `median ${words}` : `median ${words}, ${estimate}`
 }
