@@ -1,3 +1,7 @@
+import { resultsToLines } from '../../src/experiments/results-json'
+import { runMap } from '../../src/experiments/run-map'
+import { countWork } from '../../src/experiments/settings'
+import { WHOLE } from '../../src/experiments/shards'
 import { ExperimentsPage, SMALL } from '../experiments'
 import { expect, test } from '../fixtures'
 
@@ -85,6 +89,29 @@ test('the library of the charts is loaded with the first results, not before', a
   expect(loaded.some(isCharts)).toBe(false)
   await experiments.run(SMALL)
   expect(loaded.some(isCharts)).toBe(true)
+})
+
+test('of times that are less than a tick of the clock no more is told than that', async ({
+  page,
+}) => {
+  const rows = Array.from({ length: countWork(SMALL).maps }, (_, map) => runMap(SMALL, map))
+    .flat()
+    .map((row) => ({ ...row, milliseconds: row.map % 3 === 0 ? 1 : 0 }))
+  const experiments = new ExperimentsPage(page)
+  await experiments.open()
+  const file = resultsToLines({ settings: SMALL, shard: WHOLE, rows })
+  await experiments.openFile('rows.jsonl', file)
+  await experiments.chartsDrawn()
+  await expect(page.locator('#summary tbody tr').first()).toContainText(/under 1 ms3\d0 µs/)
+  const chart = page.getByRole('region', { name: 'Time to plan over size' })
+  await expect(chart).toContainText('below 1 estimated')
+  const bars = chart.locator('[aria-label="rule"] line')
+  const ends = await bars.evaluateAll((all) =>
+    all.map((bar) => [Number(bar.getAttribute('y1')), Number(bar.getAttribute('y2'))]),
+  )
+  const axis = 380 - 46
+  expect(ends.length).toBe(await chart.locator('[data-mark]').count())
+  for (const both of ends) expect(Math.max(...both)).toBe(axis)
 })
 
 test('charts are saved as pictures that stand alone', async ({ page }) => {

@@ -1,6 +1,7 @@
 import * as Plot from '@observablehq/plot'
 import type { Axis, Chart, Mark } from './chart'
 import type { Drawing } from './draw'
+import { frameOf, logTicks, type Range } from './log-axis'
 import { asButtons } from './marks'
 import { seriesStyle } from './style'
 import { count } from './words'
@@ -29,7 +30,9 @@ export function linesOptions(chart: LinesChart, { theme, isShown }: Drawing): Pl
   const frame = frameOf(shown)
   // A logarithm has no place for no samples at all.
   const hasZero = chart.x.scale === 'log' && marks.some(({ x }) => x === 0)
-  const intervals = { x: 'x', y1: 'low', y2: 'high', stroke: colour, ariaHidden: 'true' }
+  // Nor has it one for intervals that begin at 0: they begin at the edge.
+  const low = (mark: Mark) => (chart.y.scale === 'log' ? Math.max(mark.low, frame[0]) : mark.low)
+  const intervals = { x: 'x', y1: low, y2: 'high', stroke: colour, ariaHidden: 'true' }
   return {
     height: 380,
     marginTop: 34,
@@ -42,7 +45,7 @@ export function linesOptions(chart: LinesChart, { theme, isShown }: Drawing): Pl
     y: scaleOf(chart.y, frame),
     marks: [
       ...axes(chart, frame, theme.faint),
-      Plot.ruleX(shown, { ...intervals, strokeWidth: 1.25, strokeOpacity: 0.8, clip: true }),
+      Plot.ruleX(shown, { ...intervals, strokeWidth: 1.25, strokeOpacity: 0.8 }),
       ...lines,
       Plot.dot(shown, {
         ...asButtons(shown, marks),
@@ -58,15 +61,6 @@ export function linesOptions(chart: LinesChart, { theme, isShown }: Drawing): Pl
   }
 }
 
-/** The domain of a logarithmic axis for these marks. Intervals that begin near 0 are cut off. */
-function frameOf(marks: readonly Mark[]): Range {
-  if (marks.length === 0) return [1, 10]
-  const least = Math.min(...marks.map(({ y }) => y))
-  // A mean may lie above most of the values.
-  const greatest = Math.max(...marks.map(({ y, high }) => Math.max(y, high)))
-  return [least / 2, greatest * 1.3]
-}
-
 function axes({ x, y, marks }: LinesChart, frame: Range, faint: string): Plot.Markish[] {
   const hidden = { ariaHidden: 'true' }
   const axisX = {
@@ -79,13 +73,13 @@ function axes({ x, y, marks }: LinesChart, frame: Range, faint: string): Plot.Ma
   const grid = { stroke: faint, strokeOpacity: 0.5, ...hidden }
   // A logarithmic axis has ticks at the values that were run, where few of its own would fall.
   const places = [...new Set(marks.map((mark) => mark.x))]
-  const decades = y.scale === 'log' ? decadesIn(frame) : []
+  const ticks = y.scale === 'log' ? logTicks(frame) : []
   return [
     x.scale === 'log' && places.length < 9
       ? Plot.axisX(places, { ...axisX, text: count, ...hidden })
       : Plot.axisX({ ...axisX, ...hidden }),
     ...(y.scale === 'log'
-      ? [Plot.gridY(decades, grid), Plot.axisY(decades, { ...axisY, text: count })]
+      ? [Plot.gridY(ticks, grid), Plot.axisY(ticks, { ...axisY, text: count })]
       : [
           Plot.gridY(grid),
           Plot.axisY({ ...axisY, ...(y.scale === 'percent' && { tickFormat: wholePercent }) }),
@@ -93,16 +87,7 @@ function axes({ x, y, marks }: LinesChart, frame: Range, faint: string): Plot.Ma
   ]
 }
 
-type Range = readonly [least: number, greatest: number]
-
 const wholePercent = (share: number): string => `${Math.round(100 * share)} %`
-
-/** The powers of ten in a range; read from texts, because `10 ** n` may be off by a rounding error. */
-function decadesIn([least, greatest]: Range): number[] {
-  const first = Math.ceil(Math.log10(least))
-  const last = Math.floor(Math.log10(greatest))
-  return Array.from({ length: last - first + 1 }, (_, i) => Number(`1e${first + i}`))
-}
 
 function scaleOf({ scale }: Axis, frame?: Range): Plot.ScaleOptions {
   if (scale === 'percent') return { domain: [0, 1] }

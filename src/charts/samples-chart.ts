@@ -1,11 +1,13 @@
 import type { Row } from '../experiments/row'
 import { roadmapBySamples } from '../experiments/summary/samples'
+import { clockTick } from '../experiments/summary/times'
 import { plural } from '../grid/plural'
 import type { Chart } from './chart'
-import { count, millisecondsInWords, percent, ratioInWords, successInWords } from './words'
+import { count, percent, quantileInWords, ratioInWords, successInWords } from './words'
 
 /** What more samples of a probabilistic roadmap bring, and what they cost. */
 export function samplesChart(rows: readonly Row[]): Chart {
+  const tick = clockTick(rows)
   const curves = roadmapBySamples(rows)
   const points = curves.flatMap((curve, series) =>
     curve.points.map((point) => {
@@ -23,7 +25,7 @@ export function samplesChart(rows: readonly Row[]): Chart {
       'How often the roadmap led to the goal where it can be reached, over the number of samples.',
       ...shown.map(
         ({ words, success, milliseconds }) =>
-          `${words}: ${percent(success.rate)}, median time ${millisecondsInWords(milliseconds.median)}.`,
+          `${words}: ${percent(success.rate)}, median time ${quantileInWords(milliseconds.median, tick)}.`,
       ),
     ].join(' '),
     x: { label: 'Samples', scale: 'log' },
@@ -35,7 +37,7 @@ export function samplesChart(rows: readonly Row[]): Chart {
       y: success.rate,
       low: success.low,
       high: success.high,
-      label: `${words}: ${successInWords(success)}, median ratio ${ratioInWords(ratio.quantiles.median)}, median time ${millisecondsInWords(milliseconds.median)}`,
+      label: `${words}: ${successInWords(success)}, median ratio ${ratioInWords(ratio.quantiles.median)}, median time ${quantileInWords(milliseconds.median, tick)}`,
       runs: [{ title: 'Failed', rows: success.failures }],
     })),
     table: {
@@ -45,7 +47,7 @@ export function samplesChart(rows: readonly Row[]): Chart {
         count(samples),
         successInWords(success),
         ratioInWords(ratio.quantiles.median),
-        millisecondsInWords(milliseconds.median),
+        quantileInWords(milliseconds.median, tick),
       ]),
     },
     missing:

@@ -1,33 +1,38 @@
 import type { Row } from '../experiments/row'
 import type { ExperimentSettings } from '../experiments/settings'
-import type { Quantiles } from '../experiments/summary/statistics'
-import { timeBySize } from '../experiments/summary/times'
+import {
+  clockTick,
+  estimateBelowTick,
+  type TimePoint,
+  timeBySize,
+} from '../experiments/summary/times'
 import type { Size } from '../grid/grid'
 import { plural } from '../grid/plural'
 import type { Chart } from './chart'
-import { count, millisecondsInWords } from './words'
+import { count, millisecondsInWords, quantileInWords } from './words'
 
 const SLOWEST = 50
 
-/** In milliseconds, less than any clock can tell: 0 has no logarithm. */
-const LEAST_TIME = 0.001
-
-/** The median; or the mean if the median is 0, because most runs are shorter than a tick of the clock. */
-const timeOf = ({ median, mean }: Quantiles): number =>
-  Math.max(median > 0 ? median : mean, LEAST_TIME)
+/** The median, or an estimate, which is no less than if the clock had ticked in one of the runs. */
+const timeOf = ({ milliseconds: { median }, rows }: TimePoint, tick: number): number =>
+  median < tick ? Math.max(estimateBelowTick(rows, tick), tick / rows.length) : median
 
 /** Time to plan over the size of the map, with a line for each planner setting. */
 export function timeChart(settings: ExperimentSettings, rows: readonly Row[]): Chart {
+  const tick = clockTick(rows)
   const curves = timeBySize(settings, rows)
+  const hasEstimates = curves.some(({ points }) =>
+    points.some(({ milliseconds }) => milliseconds.median < tick),
+  )
   const marks = curves.flatMap(({ name, points }, series) =>
-    points.map(({ cells, rows: own, milliseconds, ...size }) => ({
+    points.map((point) => ({
       series,
-      x: cells,
-      y: timeOf(milliseconds),
-      low: Math.max(milliseconds.lower, LEAST_TIME),
-      high: Math.max(milliseconds.upper, LEAST_TIME),
-      label: `${name}, ${sizeOf(size)}: ${timeInWords(milliseconds)}, ${count(own.length)} ${plural(own.length, 'run')}`,
-      runs: [{ title: 'Slowest', rows: slowest(own) }],
+      x: point.cells,
+      y: timeOf(point, tick),
+      low: point.milliseconds.lower < tick ? 0 : point.milliseconds.lower,
+      high: Math.max(point.milliseconds.upper, tick),
+      label: `${name}, ${sizeOf(point)}: ${spreadInWords(point, tick)}, ${count(point.rows.length)} ${plural(point.rows.length, 'run')}`,
+      runs: [{ title: 'Slowest', rows: slowest(point.rows) }],
     })),
   )
   const sizes = [
@@ -41,13 +46,19 @@ export function timeChart(settings: ExperimentSettings, rows: readonly Row[]): C
     title: 'Time to plan over size',
     summary: [
       'Median time to plan over the number of cells of the map, both logarithmic; half of the runs lie within the bars.',
+      ...(hasEstimates
+        ? [`Medians under ${millisecondsInWords(tick)}, a tick of the clock, are estimated.`]
+        : []),
       ...curves.map(({ name, points }) => {
         const [from, to] = [points[0], points[points.length - 1]]
-        return `${name}: ${millisecondsInWords(timeOf(from.milliseconds))} to ${millisecondsInWords(timeOf(to.milliseconds))}.`
+        return `${name}: ${medianInWords(from, tick)} to ${medianInWords(to, tick)}.`
       }),
     ].join(' '),
     x: { label: 'Cells of the map', scale: 'log' },
-    y: { label: 'Time to plan (ms)', scale: 'log' },
+    y: {
+      label: `Median time to plan (ms)${hasEstimates ? `; below ${tick} estimated` : ''}`,
+      scale: 'log',
+    },
     series: curves.map(({ name, setting }) => ({ name, style: setting })),
     marks,
     table: {
@@ -56,11 +67,11 @@ export function timeChart(settings: ExperimentSettings, rows: readonly Row[]): C
         name,
         ...sizes.map(([size]) => {
           const point = points.find((one) => sizeOf(one) === size)
-          return point ? millisecondsInWords(timeOf(point.milliseconds)) : '–'
+          return point ? medianInWords(point, tick) : '–'
         }),
       ]),
     },
-    missing: sizes.length < 2 ? 'It needs maps of at least two sizes.' : '',
+    missing: missingOf(sizes.length, tick),
   }
 }
 
@@ -69,8 +80,21 @@ const sizeOf = ({ width, height }: Size): string => `${width} × ${height}`
 const slowest = (rows: readonly Row[]): Row[] =>
   [...rows].sort((a, b) => b.milliseconds - a.milliseconds).slice(0, SLOWEST)
 
-function timeInWords(milliseconds: Quantiles): string {
-  const { median, mean, lower, upper } = milliseconds
-  if (median === 0) return `mean ${millisecondsInWords(mean)}`
-  return `median ${millisecondsInWords(median)}, half from ${millisecondsInWords(lower)} to ${millisecondsInWords(upper)}`
+function missingOf(sizes: number, tick: number): string {
+  if (sizes < 2) return 'It needs maps of at least two sizes.'
+  return tick > 0 ? '' : 'All runs were too short for the clock.'
+}
+
+/** "12 µs", "about 24 µs" of an estimate, or "under 100 µs" if there is nothing to estimate it by. */
+function medianInWords({ milliseconds: { median }, rows }: TimePoint, tick: number): string {
+  const estimate = median < tick ? estimateBelowTick(rows, tick) : 0
+  return estimate > 0 ? `about ${millisecondsInWords(estimate)}` : quantileInWords(median, tick)
+}
+
+function spreadInWords(point: TimePoint, tick: number): string {
+  const { median, lower, upper } = point.milliseconds
+  const [words, from, to] = [median, lower, upper].map((time) => quantileInWords(time, tick))
+  if (median >= tick) return `median ${words}, half from ${from} to ${to}`
+  const estimate = medianInWords(point, tick)
+  return estimate === words ? `median ${words}` : `median ${words}, ${estimate}`
 }

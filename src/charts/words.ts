@@ -17,9 +17,15 @@ export function successInWords({ rate, low, high, rows, failures }: Success): st
 export const ratioInWords = (ratio: number): string =>
   Number.isNaN(ratio) ? '–' : ratio.toFixed(3)
 
-/** Two digits that count, in milliseconds. */
+/** Two digits that count: 0.0123 → "12 µs", 7.25 → "7.3 ms". */
 export function millisecondsInWords(value: number): string {
   if (Number.isNaN(value)) return '–'
-  if (value === 0) return '0 ms'
-  return `${value < 100 ? value.toPrecision(2) : count(Math.round(value))} ms`
+  if (value === 0) return 'too short to measure'
+  const microseconds = Number((1000 * value).toPrecision(2))
+  if (microseconds < 1000) return `${microseconds} µs`
+  return `${microseconds < 100_000 ? microseconds / 1000 : count(Math.round(value))} ms`
 }
+
+/** A quantile of times that were read off a clock, which tells nothing that is less than its tick. */
+export const quantileInWords = (milliseconds: number, tick: number): string =>
+  milliseconds < tick ? `under ${millisecondsInWords(tick)}` : millisecondsInWords(milliseconds)

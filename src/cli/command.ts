@@ -43,6 +43,9 @@ export function readCommand(args: readonly string[]): Command {
   const { values, positionals } = parseArguments(args, OPTIONS, USAGE)
   if (values.help) return { kind: 'help' }
   const out = values.out ?? null
+  if (out !== null && /(^|[/\\])$/.test(out)) {
+    throw new InputError(`--out must name a file, but is "${out}".`)
+  }
   if (values.merge) {
     if (positionals.length === 0) throw new InputError('--merge needs the files of the shards.')
     for (const name of ['shard', 'workers'] as const) {

@@ -1,12 +1,12 @@
 import { readFileSync } from 'node:fs'
 import { isMainThread } from 'node:worker_threads'
-import { countWork } from '../experiments/settings'
+import { countWork, type ExperimentSettings } from '../experiments/settings'
 import { readSettings } from '../experiments/settings-check'
 import { rangeOfShard } from '../experiments/shards'
 import { InputError } from '../grid/errors'
 import { type Command, readCommand, USAGE } from './command'
 import { whileLocked } from './lock'
-import { mergeShards } from './merge'
+import { mergeShards, readShards } from './merge'
 import { runMaps, serve } from './pool'
 import { Progress } from './progress'
 import { openRowsFile, printRows } from './results-file'
@@ -14,23 +14,37 @@ import { openRowsFile, printRows } from './results-file'
 /** As a shell has it for a program that Ctrl-C ended. */
 const INTERRUPTED = 130
 
+type CommandOf<Kind> = Extract<Command, { readonly kind: Kind }>
+
 async function main(): Promise<void> {
   const command = readCommand(process.argv.slice(2))
   if (command.kind === 'help') process.stdout.write(USAGE)
-  else if (command.out === null) await work(command)
-  else await whileLocked(command.out, () => work(command))
+  else if (command.kind === 'merge') await merge(command)
+  else await run(command)
 }
 
-const work = (command: Exclude<Command, { kind: 'help' }>): Promise<void> =>
-  command.kind === 'merge' ? mergeShards(command.files, command.out) : run(command)
+/** What is read is checked before anything is made, a folder or a lock. */
+async function merge({ files, out }: CommandOf<'merge'>): Promise<void> {
+  const shards = readShards(files)
+  await whileLocked(out, () => mergeShards(shards, out))
+}
 
-async function run(command: Extract<Command, { kind: 'run' }>): Promise<void> {
-  const { shard, out, workers } = command
+async function run(command: CommandOf<'run'>): Promise<void> {
   const settings = readSettings(readFileSync(command.settings, 'utf8'))
+  await whileLocked(command.out, () => runShard(settings, command))
+}
+
+async function runShard(
+  settings: ExperimentSettings,
+  { shard, out, workers }: CommandOf<'run'>,
+): Promise<void> {
   const origin = { settings, shard }
   const writer = out === null ? printRows(origin) : openRowsFile(out, origin)
   const { first, end } = rangeOfShard(shard, countWork(settings).maps)
   const maps = { first: writer.next, end }
+  if (out !== null && maps.first === end) {
+    process.stderr.write(`${out} is complete: nothing is left to run.\n`)
+  }
   const progress = new Progress(end - first, writer.next - first)
   const stop = new AbortController()
   for (const signal of ['SIGINT', 'SIGTERM'] as const) {

@@ -6,9 +6,11 @@ import { InputError } from '../grid/errors'
  * Does work that writes to a file, and keeps other runs from writing to it meanwhile. The file beside
  * it that says so names this process: it counts no more when that was killed and left it behind. A
  * folder that is missing is made.
+ * @param path of the file; `null` for the standard output, which nobody else writes to
  * @throws InputError if another run writes to the file
  */
-export async function whileLocked(path: string, work: () => Promise<void>): Promise<void> {
+export async function whileLocked(path: string | null, work: () => Promise<void>): Promise<void> {
+  if (path === null) return work()
   const lock = `${path}.lock`
   if (existsSync(lock)) {
     const owner = Number(readFileSync(lock, 'utf8'))

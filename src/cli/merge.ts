@@ -9,7 +9,7 @@ import { linesOf } from './lines'
 import { inFile, mapsThere } from './maps-there'
 import { headerThere } from './results-file'
 
-interface ShardFile {
+export interface ShardFile {
   readonly path: string
   readonly origin: Origin
   /** The byte where its rows begin, and the one behind them. */
@@ -18,16 +18,22 @@ interface ShardFile {
 }
 
 /**
- * Joins the files of all shards of an experiment into the file that a single run makes. All of them
- * are checked before anything is written, and the new file takes its name when it is whole.
- * @param out path of the new file; `null` for the standard output
- * @throws InputError that names the file that is not of these settings, not complete or there twice,
- *   or `out`, if it has something else in it than rows of the same maps
+ * The files of all shards of an experiment, in their order.
+ * @throws InputError that names the file that is not of these settings, not complete or there twice
  */
-export async function mergeShards(paths: readonly string[], out: string | null): Promise<void> {
+export function readShards(paths: readonly string[]): readonly ShardFile[] {
   const files = paths.map(readShardFile)
   files.sort((a, b) => a.origin.shard.index - b.origin.shard.index)
   checkTogether(files)
+  return files
+}
+
+/**
+ * Joins the files into the one that a single run makes. It takes its name when it is whole.
+ * @param out path of the new file; `null` for the standard output
+ * @throws InputError if `out` has something else in it than rows of the same maps
+ */
+export async function mergeShards(files: readonly ShardFile[], out: string | null): Promise<void> {
   if (out === null) return pipeline(rowsOf(files), process.stdout, { end: false })
   headerThere(out, { ...files[0].origin, shard: WHOLE })?.lines.return()
   const part = `${out}.part`
@@ -75,7 +81,9 @@ function checkTogether(files: readonly ShardFile[]): void {
       throw new InputError(`${path} and ${file.path} are of different settings.`)
     }
     if (shard.of !== of) {
-      throw new InputError(`${path} is one of ${of} shards, ${file.path} one of ${shard.of}.`)
+      throw new InputError(
+        `${path} is shard ${origin.shard.index}/${of}, but ${file.path} is shard ${shard.index}/${shard.of}.`,
+      )
     }
     const other = seen.get(shard.index)
     if (other)

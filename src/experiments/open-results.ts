@@ -22,8 +22,8 @@ export function* openingResults(text: string): Generator<number, Results, void> 
   return yield* beginsWithOrigin(content) ? resultsFromLines(content) : resultsFromJson(content)
 }
 
-/** Whether it is CSV, even if another program quoted its comment or left it out. */
-const isTable = (text: string): boolean => /^("?#|map,)/.test(text)
+/** Whether it is CSV, even if another program saved it anew or left out its comment. */
+const isTable = (text: string): boolean => /^"?(#|map"?[,;\t])/.test(text)
 
 /** Whether the first line is a JSON value of its own, and not all of the results in one line. */
 function beginsWithOrigin(text: string): boolean {

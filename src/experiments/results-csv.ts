@@ -49,8 +49,9 @@ export const resultsToCsv = (results: Results): string => [...csvInParts(results
 
 /**
  * Results as a table of values separated by commas (RFC 4180), a part of its text after the other. A
- * comment before the names of the columns has the settings as JSON; most programs skip it if told that
- * "#" begins a comment.
+ * comment before the names of the columns has the settings; most programs skip it if told that "#" begins
+ * a comment. Spreadsheets take it for a value: it is JSON, percent-encoded, and so has nothing in it
+ * that they would split or change when they save the table.
  */
 export function* csvInParts(
   { rows, ...origin }: Results,
@@ -58,19 +59,24 @@ export function* csvInParts(
 ): Generator<string, void, void> {
   const columns = columnsOf(rows)
   const names = columns.map(({ name }) => name)
-  yield `# ${JSON.stringify(originToJson(origin))}\n${names.join(',')}\n`
+  yield `# ${encodeURIComponent(JSON.stringify(originToJson(origin)))}\n${names.join(',')}\n`
   const line = (row: Row) => `${columns.map(({ of }) => quoted(of(row))).join(',')}\n`
   yield* inParts(rows, line, '', progress)
 }
 
 /**
- * The results in a table that `resultsToCsv` wrote. It yields what share of the rows is read.
+ * The results in a table that `resultsToCsv` wrote, also if a spreadsheet saved it again: with quotes,
+ * with semicolons or tabs between the values, and then perhaps with decimal commas in them. It yields
+ * what share of the rows is read.
  * @throws InputError that names the line that is wrong
  */
 export function* resultsFromCsv(text: string): Generator<number, Results, void> {
-  const [comment, header, ...lines] = text.replaceAll('\r\n', '\n').trimEnd().split('\n')
+  const whole = text.replaceAll('\r\n', '\n').replace(/\n+$/, '')
+  const [comment, header = '', ...lines] = whole.split('\n')
   const origin = readOrigin(settingsIn(comment))
-  const names = (header ?? '').split(',')
+  const separator = /[,;\t]/.exec(header)?.[0] ?? ','
+  const splitLine = lineSplitter(separator)
+  const names = splitLine(header)
   const nameOf = (i: number) => `Line ${i + 3}`
   const jsonOf = (line: string, i: number) => {
     const values = splitLine(line)
@@ -79,7 +85,9 @@ export function* resultsFromCsv(text: string): Generator<number, Results, void> 
         `${nameOf(i)} has ${values.length} values, but there are ${names.length} columns.`,
       )
     }
-    const row = names.map((name, k) => [name, valueIn(values[k], WORDS.has(name))] as const)
+    const row = names.map(
+      (name, k) => [name, WORDS.has(name) ? values[k] : valueIn(values[k], separator)] as const,
+    )
     return unflatten(Object.fromEntries(row))
   }
   return { ...origin, rows: yield* readRows(origin, lines, jsonOf, nameOf) }
@@ -90,13 +98,18 @@ interface Column {
   of(row: Row): Value
 }
 
-/** A spreadsheet takes the comment for a row: what it saves has lost the quotes of the JSON in it. */
+/** The comment alone in its line, or as its first value, before empty ones; perhaps all in quotes. */
+const COMMENT = /^"?# (%7B[^",;\t]*)[",;\t]*$/
+
+/** Older versions wrote the JSON as it is, of which no spreadsheet leaves the quotes alone. */
 function settingsIn(comment: string): unknown {
   try {
+    const encoded = COMMENT.exec(comment)?.[1]
+    if (encoded !== undefined) return JSON.parse(decodeURIComponent(encoded))
     if (comment.startsWith('# ')) return JSON.parse(comment.slice(2))
   } catch {}
   throw new InputError(
-    `Line 1 must be "# " and the settings as JSON, but is ${excerpt(comment)}. A spreadsheet that saves the table spoils them: open the results as they were saved here.`,
+    `Line 1 must be "# " and the settings, but is ${excerpt(comment)}. If another program saved the table, open the results as they were saved here.`,
   )
 }
 
@@ -148,22 +161,28 @@ function quoted(value: Value): string {
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text
 }
 
-function splitLine(line: string): string[] {
-  const values: string[] = []
-  const part = /(?:"((?:[^"]|"")*)"|([^,]*))(,|$)/y
-  for (let end = ','; end === ','; ) {
-    const found = part.exec(line)
-    if (!found) throw new InputError(`This line has a quote that is not closed: ${describe(line)}.`)
-    values.push(found[1]?.replaceAll('""', '"') ?? found[2])
-    end = found[3]
+/** What finds the values in a line that has a comma, a semicolon or a tab between them. */
+function lineSplitter(separator: string): (line: string) => string[] {
+  const part = new RegExp(`(?:"((?:[^"]|"")*)"|([^${separator}]*))(${separator}|$)`, 'y')
+  return (line) => {
+    const values: string[] = []
+    part.lastIndex = 0
+    for (let end = separator; end === separator; ) {
+      const found = part.exec(line)
+      if (!found) {
+        throw new InputError(`This line has a quote that is not closed: ${describe(line)}.`)
+      }
+      values.push(found[1]?.replaceAll('""', '"') ?? found[2])
+      end = found[3]
+    }
+    return values
   }
-  return values
 }
 
-function valueIn(text: string, isWord: boolean): Value {
-  if (isWord) return text
+/** Spreadsheets write TRUE, and where numbers have decimal commas, something else between values. */
+function valueIn(text: string, separator: string): Value {
   if (text === '') return null
-  if (text === 'true' || text === 'false') return text === 'true'
-  const number = Number(text)
+  if (/^(true|false)$/i.test(text)) return text.toLowerCase() === 'true'
+  const number = Number(separator === ',' ? text : text.replace(/^(\d+),(\d+(e-?\d+)?)$/i, '$1.$2'))
   return Number.isNaN(number) ? text : number
 }

@@ -56,7 +56,7 @@ export interface Row {
   readonly sensed: number
   /** Steps that Bug1, or Bug2 with `closer`, may walk at most (see `bounds.ts`); else `null`. */
   readonly bound: number | null
-  /** Time to plan. The only value that another run may change. */
+  /** Time to plan; 0 if no clock ticked meanwhile. The only value that another run may change. */
   readonly milliseconds: number
 }
 

@@ -131,15 +131,6 @@ describe('the marks', () => {
     expect(optionsOf('time').x?.type).toBe('log')
   })
 
-  it('of time are in the frame, where one run took longer than all others together', () => {
-    const slow = rows.map((row, i) => ({ ...row, milliseconds: i < 10 ? 1000 : 0 }))
-    const { marks } = chart('time', chartsOf(settings, slow))
-    const greatest = Math.max(...marks.map(({ y }) => y))
-    expect(greatest).toBeGreaterThan(Math.max(...marks.map(({ high }) => high)))
-    const [, top] = Array.from(optionsOf('time', slow).y?.domain ?? [])
-    expect(top).toBeGreaterThan(greatest)
-  })
-
   it('of time are in the table by size, of sizes with as many cells too', () => {
     const { columns, rows: lines } = chart('time').table
     expect(columns).toEqual(['Planner', '10 × 10', '12 × 16', '16 × 12'])
@@ -150,19 +141,43 @@ describe('the marks', () => {
     expect(lines).toHaveLength(countWork(settings).settings)
   })
 
-  it('of time lie above zero, where a logarithmic axis has them, even if no clock ticked', () => {
-    const still = rows.map((row) => ({ ...row, milliseconds: 0 }))
-    const { marks } = chart('time', chartsOf(settings, still))
-    expect(marks).toHaveLength(3 * countWork(settings).settings)
-    for (const { y, low, high } of marks) expect(Math.min(y, low, high)).toBeGreaterThan(0)
+  it('of time are estimated where most runs took less than a tick of the clock', () => {
+    const coarse = rows.map((row) => ({ ...row, milliseconds: row.map % 5 === 0 ? 10 : 0 }))
+    const { marks, y: axis, summary, table } = chart('time', chartsOf(settings, coarse))
+    for (const { y, low, high, label } of marks) {
+      expect([y, low, high]).toEqual([2, 0, 10])
+      expect(label).toMatch(/: median under 10 ms, about 2 ms, \d+ runs$/)
+    }
+    expect(axis.label).toBe('Median time to plan (ms); below 10 estimated')
+    expect(summary).toContain('Medians under 10 ms, a tick of the clock, are estimated.')
+    expect(summary).toContain('Grid decomposition: about 2 ms to about 2 ms.')
+    expect(table.rows[0][1]).toBe('about 2 ms')
+    expect(chart('samples', chartsOf(settings, coarse)).table.rows[0][4]).toBe('under 10 ms')
+    const fine = rows.map((row) => ({ ...row, milliseconds: 0.01 }))
+    expect(chart('time', chartsOf(settings, fine)).y.label).toBe('Median time to plan (ms)')
   })
 
-  it('of time lie at the mean where most runs took less than a tick of the clock', () => {
-    const coarse = rows.map((row) => ({ ...row, milliseconds: row.map % 5 === 0 ? 10 : 0 }))
-    for (const { y, label } of chart('time', chartsOf(settings, coarse)).marks) {
-      expect(y).toBe(2)
-      expect(label).toMatch('mean 2.0 ms')
+  it('of time stay where they are, however slow a few runs were', () => {
+    const slow = rows.map((row) => ({ ...row, milliseconds: row.map % 5 === 0 ? 1000 : 0 }))
+    slow[0] = { ...slow[0], milliseconds: 1 }
+    for (const { y, high, label } of chart('time', chartsOf(settings, slow)).marks) {
+      expect([y, high]).toEqual([0.2, 1])
+      expect(label).toContain('median under 1 ms, about 200 µs,')
     }
+  })
+
+  it('of time are no lower than many runs can tell, where none took a tick', () => {
+    const still = rows.map((row) => ({ ...row, milliseconds: row.setting === 0 ? 0 : 3 }))
+    const [first] = chart('time', chartsOf(settings, still)).marks
+    const runs = rows.filter(({ setting, width }) => setting === 0 && width === 10).length
+    expect([first.y, first.low, first.high]).toEqual([3 / runs, 0, 3])
+    expect(first.label).toContain(': median under 3 ms, 10 runs')
+  })
+
+  it('of time cannot be placed if no run took a tick, and that is said', () => {
+    const still = rows.map((row) => ({ ...row, milliseconds: 0 }))
+    const { missing } = chart('time', chartsOf(settings, still))
+    expect(missing).toBe('All runs were too short for the clock.')
   })
 })
 
@@ -201,10 +216,15 @@ describe('the words', () => {
   })
 
   it.each([
-    [0, '0 ms'],
-    [0.0123, '0.012 ms'],
+    [0, 'too short to measure'],
+    [0.0004, '0.4 µs'],
+    [0.0123, '12 µs'],
+    [0.1, '100 µs'],
+    [0.9949, '990 µs'],
+    [0.995, '1 ms'],
     [7.25, '7.3 ms'],
     [99.4, '99 ms'],
+    [99.7, '100 ms'],
     [1234.5, '1,235 ms'],
     [Number.NaN, '–'],
   ])('of %d milliseconds have two digits that count', (milliseconds, words) => {

@@ -2,6 +2,7 @@ import { existsSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { describe, expect, test } from 'vitest'
+import { mergeShards, readShards } from '../../src/cli/merge'
 import { runMaps } from '../../src/cli/pool'
 import { openResults, readSettings, runMap } from '../../src/index'
 import { timeless } from '../experiments/settings'
@@ -97,11 +98,16 @@ describe('the rows are the same', () => {
     },
   )
 
-  test('of a file that is complete: nothing is run again', () => {
+  test('of a file that is complete: nothing is run again, and that is said', () => {
     const settings = settingsFile('small.json')
-    run(settings, '--out', 'complete.jsonl')
+    const words = 'complete.jsonl is complete: nothing is left to run.\n'
+    expect(run(settings, '--out', 'complete.jsonl').stderr).not.toContain(words)
     const before = textOf('complete.jsonl')
-    expect(run(settings, '--out', 'complete.jsonl').status).toBe(0)
+    expect(run(settings, '--out', 'complete.jsonl')).toEqual({
+      status: 0,
+      stdout: '',
+      stderr: words,
+    })
     expect(textOf('complete.jsonl')).toBe(before)
   })
 })
@@ -177,7 +183,9 @@ describe('shards are only merged', () => {
     const [a, b] = [shard('1/2', 'a.jsonl'), shard('2/2', 'b.jsonl')]
     expect(fault(a)).toContain('Shard 2/2 is missing.')
     expect(fault(a, b, a)).toContain('a.jsonl and a.jsonl are both shard 1/2.')
-    expect(fault(a, shard('2/3', 'c.jsonl'))).toContain('is one of 2 shards')
+    expect(fault(a, shard('2/3', 'c.jsonl'))).toContain(
+      'a.jsonl is shard 1/2, but c.jsonl is shard 2/3.',
+    )
     const other = shard('2/2', 'd.jsonl', { seed: 8 })
     expect(fault(a, other)).toContain('a.jsonl and d.jsonl are of different settings.')
     // Broken off before the end of the last line, which would join it with the first of the next.
@@ -209,8 +217,10 @@ test('what cannot be written ends a run, and of a merge nothing is left', async 
   await expect(runMaps(job, isFull)).rejects.toThrow('no space left on device')
 
   run('small.json', '--out', 'whole.jsonl')
-  expect(run('--merge', 'whole.jsonl', '--out', '').status).toBe(1)
-  expect(existsSync(pathOf('.part'))).toBe(false)
+  const shards = readShards([pathOf('whole.jsonl')])
+  // No file can take this name.
+  await expect(mergeShards(shards, '')).rejects.toThrow('rename')
+  expect(existsSync('.part')).toBe(false)
 })
 
 describe('what cannot be run is told before anything is', () => {
@@ -229,12 +239,24 @@ describe('what cannot be run is told before anything is', () => {
     expect(existsSync(pathOf('broken.jsonl'))).toBe(false)
   })
 
+  test('and no folder is made for it', () => {
+    run(settingsFile('small.json'), '--shard', '1/2', '--out', 'half.jsonl')
+    const settings = settingsFile('broken.json', { seed: -1 })
+    for (const args of [[settings], ['nowhere.json'], ['--merge', 'half.jsonl', 'nowhere.jsonl']]) {
+      expect(run(...args, '--out', join('made', 'for', 'nothing.jsonl')).status).toBe(1)
+    }
+    expect(run('small.json', '--out', 'made/for/').status).toBe(1)
+    expect(existsSync(pathOf('made'))).toBe(false)
+  })
+
   test.each([
     [[], 'The settings file is missing.'],
     [['nowhere.json'], 'nowhere.json'],
     [['a.json', 'b.json'], 'One settings file at a time: what is b.json?'],
     [['a.json', '--shard', '5/4'], 'A shard is written as 2/4'],
     [['a.json', '--workers', '0'], '--workers must be a whole number from 1 to 1024, but is "0".'],
+    [['a.json', '--out', ''], '--out must name a file, but is "".'],
+    [['a.json', '--out', 'new/'], '--out must name a file, but is "new/".'],
     [['--merge'], '--merge needs the files of the shards.'],
     [['--merge', 'a.jsonl', '--shard', '1/2'], '--merge runs nothing: no --shard.'],
     [['--colour'], "Unknown option '--colour'"],

@@ -54,7 +54,7 @@ describe.each(Object.entries(FORMATS))('%s', (_, write) => {
   })
 
   test('with settings that are broken names the field', () => {
-    const broken = write(results).replace('"seed":7', '"seed":-7')
+    const broken = write(results).replace(/(seed"?(?:%22)?(?::|%3A))7/, '$1-7')
     expect(() => openResults(broken)).toThrow('seed: must be a whole number')
   })
 
@@ -99,15 +99,53 @@ describe('rows that are not those of the settings are refused', () => {
 
 test('CSV has the settings in a comment, the names of the columns, and a line a row', () => {
   const [comment, names, first, ...others] = resultsToCsv(results).split('\n')
-  expect(JSON.parse(comment.slice(2)).settings).toEqual(settings)
+  expect(comment).toMatch(/^# [\w%.~!*'()-]+$/)
+  expect(JSON.parse(decodeURIComponent(comment.slice(2))).settings).toEqual(settings)
   expect(names).toContain('map,family,mapParams.density')
   expect(names).toContain('params.leave')
   expect(first).toMatch(/^0,random,10,/)
   expect(others).toHaveLength(rows.length)
 })
 
-test('CSV with line ends of Windows is read', () => {
-  expect(openResults(resultsToCsv(results).replaceAll('\n', '\r\n'))).toEqual(results)
+/** A table as a spreadsheet saves it again: its first line has as many values as the others. */
+function savedAgain(text: string, separator: string, change: (value: string) => string): string {
+  const [comment, names, ...lines] = text.trimEnd().split('\n')
+  const empty = names.replaceAll(/[^,]/g, '')
+  const anew = (line: string) => line.split(',').map(change).join(separator)
+  return [comment + empty, names, ...lines].map((line) => `${anew(line)}\r\n`).join('')
+}
+
+const withComma = (value: string) => value.replace(/^(\d+)\.(\d+)$/, '$1,$2')
+const inCapitals = (value: string) => value.replace(/^(true|false)$/, (word) => word.toUpperCase())
+const inQuotes = (value: string) => (value === '' || /^\d/.test(value) ? value : `"${value}"`)
+
+test.each([
+  ['with commas', ',', (value: string) => value],
+  ['with commas and quotes', ',', inQuotes],
+  ['with tabs and quotes everywhere', '\t', (value: string) => `"${value}"`],
+  ['with semicolons and decimal commas', ';', (value: string) => inCapitals(withComma(value))],
+  ['with tabs, decimal commas and quotes', '\t', (value: string) => inQuotes(withComma(value))],
+])('CSV that a spreadsheet saved again is opened: %s', (_, separator, change) => {
+  const saved = savedAgain(resultsToCsv(results), separator, change)
+  expect(saved).not.toBe(resultsToCsv(results))
+  expect(openResults(saved)).toEqual(results)
+  expect(openResults(`\uFEFF${saved}`)).toEqual(results)
+  const none = { ...results, rows: [] }
+  expect(openResults(savedAgain(resultsToCsv(none), separator, change))).toEqual(none)
+})
+
+test('CSV with commas between its values has none in its numbers', () => {
+  const [first] = rows
+  const saved = resultsToCsv({ ...results, rows: [{ ...first, density: 10.5 }] })
+  const odd = saved.replace(',10.5,', ',"10,5",')
+  expect(odd).not.toBe(saved)
+  expect(() => openResults(odd)).toThrow('Line 3 is no row of results: "density" is "10,5".')
+})
+
+test('CSV of older versions, with the settings as they are, is opened', () => {
+  const text = resultsToCsv(results)
+  const [comment] = text.split('\n')
+  expect(openResults(text.replace(comment, decodeURIComponent(comment)))).toEqual(results)
 })
 
 test.each(['a "b", c', 'a, b', 'a "b"'])(
@@ -147,10 +185,13 @@ test.each([
   ['{"format":"path-planner"}', 'its "format" is "path-planner", not "path-planner-results"'],
   ['{"format":"path-planner-results","version":9}', 'of version 9'],
   ['hello', 'The file is broken in line 1, column 1'],
-  ['#', 'Line 1 must be "# " and the settings as JSON, but is "#".'],
-  ['# no', 'but is "# no". A spreadsheet that saves the table spoils them'],
+  ['#', 'Line 1 must be "# " and the settings, but is "#".'],
+  ['# no', 'but is "# no". If another program saved the table, open the results as they were'],
   ['"# {""settings"":{""seed"":1",maps:2,,', 'but is ""# {""settings""'],
-  ['map,family,density\n0,random,20\n', 'Line 1 must be "# " and the settings as JSON'],
+  ['# %7B%22format', 'but is "# %7B%22format"'],
+  ['# %7B%2', 'but is "# %7B%2"'],
+  ['map,family,density\n0,random,20\n', 'Line 1 must be "# " and the settings, but'],
+  ['"map";"family"\n0;"random"\n', 'Line 1 must be "# " and the settings, but'],
 ])('%j is no results file', (text, message) => {
   expect(() => openResults(text)).toThrow(InputError)
   expect(() => openResults(text)).toThrow(message)

@@ -1,4 +1,10 @@
-import { count, millisecondsInWords, percent, ratioInWords } from '../../charts/words'
+import {
+  count,
+  millisecondsInWords,
+  percent,
+  quantileInWords,
+  ratioInWords,
+} from '../../charts/words'
 import { inThousands } from '../../grid/thousands'
 import { create } from '../element'
 import { type SummaryKey, type SummaryRow, sortSummary } from './summary-table'
@@ -52,8 +58,8 @@ const COLUMNS: readonly Column[] = [
   {
     key: 'medianMilliseconds',
     title: 'Median time',
-    help: 'To plan, in the ticks of the clock',
-    show: ({ medianMilliseconds }) => millisecondsInWords(medianMilliseconds),
+    help: 'To plan, as far as the clock can tell',
+    show: ({ medianMilliseconds, tick }) => quantileInWords(medianMilliseconds, tick),
   },
   {
     key: 'meanMilliseconds',

@@ -27,10 +27,15 @@ export function mapInWords(settings: ExperimentSettings, row: Row): string {
   return `Map ${row.map}: ${[title, ...params, size].join(', ')}`
 }
 
-/** How the run ended: "loop after 120 cells", "reached in 52 cells, 1.04 times the optimum, 0.3 ms". */
-export function runInWords(row: Row): string {
-  const words = STATUS[row.status]
-  if (row.ratio === null) return row.cells > 0 ? `${words} after ${cellsInWords(row.cells)}` : words
-  const ratio = `${row.ratio.toFixed(3)} times the optimum`
-  return `${words} in ${cellsInWords(row.cells)}, ${ratio}, ${millisecondsInWords(row.milliseconds)}`
+/** How the run ended: "loop after 120 cells, time 2.1 ms". */
+export const runInWords = (row: Row): string =>
+  `${endInWords(row)}, time ${millisecondsInWords(row.milliseconds)}`
+
+/** "loop after 120 cells", "reached in 52 cells, 1.040 times the optimum". */
+function endInWords({ status, cells, ratio }: Row): string {
+  const words = STATUS[status]
+  if (ratio !== null) {
+    return `${words} in ${cellsInWords(cells)}, ${ratio.toFixed(3)} times the optimum`
+  }
+  return cells > 0 ? `${words} after ${cellsInWords(cells)}` : words
 }

@@ -4,6 +4,7 @@ import { seriesOf } from '../../experiments/summary/groups'
 import { distributionOf } from '../../experiments/summary/ratios'
 import { quantilesOf } from '../../experiments/summary/statistics'
 import { successOf } from '../../experiments/summary/success'
+import { clockTick } from '../../experiments/summary/times'
 import { compareValues } from '../sorting'
 
 /** What came of one planner setting, over all maps. */
@@ -17,10 +18,13 @@ export interface SummaryRow {
   readonly medianLength: number
   readonly medianMilliseconds: number
   readonly meanMilliseconds: number
+  /** A tick of the clock that all times were read off is at most so long. */
+  readonly tick: number
   readonly failures: readonly Row[]
 }
 
 export function summarize(settings: ExperimentSettings, rows: readonly Row[]): SummaryRow[] {
+  const tick = clockTick(rows)
   return seriesOf(settings, rows, (own) => [own]).map(({ name, points: [own] }) => {
     const success = successOf(own)
     const ratio = distributionOf(own)
@@ -34,6 +38,7 @@ export function summarize(settings: ExperimentSettings, rows: readonly Row[]): S
       medianLength: quantilesOf(ratio.rows.map(({ length }) => length)).median,
       medianMilliseconds: milliseconds.median,
       meanMilliseconds: milliseconds.mean,
+      tick,
       failures: success.failures,
     }
   })

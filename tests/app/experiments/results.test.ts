@@ -29,15 +29,15 @@ describe('a run opened in the playground', () => {
     const given = rows.find(({ family }) => family === 'maps')
     expect(given && mapInWords(settings, given)).toBe('Map 2: corner.map, 6 × 4')
     expect(mapInWords(settings, rows[0])).toBe('Map 0: Random obstacles, density 10, 12 × 9')
-    expect(runInWords({ ...rows[0], status: 'loop', ratio: null, cells: 120 })).toBe(
-      'loop after 120 cells',
-    )
-    expect(runInWords({ ...rows[0], status: 'not-found', ratio: null, cells: 0 })).toBe(
-      'no path found',
-    )
+    expect(
+      runInWords({ ...rows[0], status: 'loop', ratio: null, cells: 120, milliseconds: 3 }),
+    ).toBe('loop after 120 cells, time 3 ms')
+    expect(
+      runInWords({ ...rows[0], status: 'not-found', ratio: null, cells: 0, milliseconds: 0 }),
+    ).toBe('no path found, time too short to measure')
     expect(
       runInWords({ ...rows[0], status: 'reached', ratio: 1.5, cells: 16, milliseconds: 0.25 }),
-    ).toBe('reached in 16 cells, 1.500 times the optimum, 0.25 ms')
+    ).toBe('reached in 16 cells, 1.500 times the optimum, time 250 µs')
   })
 })
 

@@ -5,7 +5,8 @@ import { ratioBySetting } from '../../../src/experiments/summary/ratios'
 import { roadmapBySamples } from '../../../src/experiments/summary/samples'
 import { wilson } from '../../../src/experiments/summary/statistics'
 import { densityClass, successByDensity, successOf } from '../../../src/experiments/summary/success'
-import { timeBySize } from '../../../src/experiments/summary/times'
+import { clockTick, estimateBelowTick, timeBySize } from '../../../src/experiments/summary/times'
+import { randomNumbers } from '../../../src/grid/random'
 import type { Row } from '../../../src/index'
 import { rows, settings } from './rows'
 
@@ -131,4 +132,29 @@ test('potential fields: success over influence and repulsive value, holes where 
   )
   expect(holed[0].cells[1][1]).toBeNull()
   expect(holed[0].cells[0][1]).not.toBeNull()
+})
+
+/** Rows whose times were read off a clock with whole ticks that was started at any moment. */
+function timedRows(durations: readonly number[], tick: number): Row[] {
+  const random = randomNumbers(1)
+  const ticksAt = (moment: number) => Math.floor(moment / tick)
+  return durations.map((duration) => {
+    const began = 100 * random()
+    const ticks = ticksAt(began + duration) - ticksAt(began)
+    return { ...rows[0], milliseconds: ticks * tick }
+  })
+}
+
+test.each([0.05, 0.3, 0.8])('times of %d of a tick are estimated by how many saw one', (share) => {
+  const tick = 0.1
+  const durations = Array.from({ length: 4000 }, (_, i) => (i % 100 === 0 ? 50 : share * tick))
+  const timed = timedRows(durations, tick)
+  expect(clockTick(timed)).toBe(tick)
+  const estimate = estimateBelowTick(timed, tick)
+  expect(Math.abs(estimate / tick - share)).toBeLessThan(0.03)
+})
+
+test('of a clock that never ticked nothing is known', () => {
+  expect(clockTick(timedRows([0, 0, 0], 1))).toBe(0)
+  expect(clockTick([])).toBe(0)
 })
