@@ -105,7 +105,7 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
     if (states[here] & CLOSED) continue
     states[here] |= CLOSED
     soFar = weights[here]
-    tape?.at(lines.close).write(EVENT.close, here, 0, costOfWeight(cost, soFar))
+    tape?.at(lines.close).write(EVENT.close, here, -1, costOfWeight(cost, soFar))
     if (++expanded % 256 === 0) {
       progress(recording + ((1 - recording) * expanded) / vertices.length)
     }

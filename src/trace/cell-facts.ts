@@ -1,5 +1,6 @@
 import type { Cell } from '../grid/grid'
 import { KNOWN, SEARCH } from './cell-state'
+import { costAt, costOfWay } from './cost-at'
 import { EVENT, type EventKind } from './events'
 import { type CellList, type Frame, isFelt, knownOf, searchOf } from './frame'
 import { openedBy } from './opened'
@@ -92,25 +93,30 @@ function searchAt(
 ): Pick<CellFacts, 'search' | 'cost' | 'parent'> {
   const search = searchOf(frame, cell)
   if (search === SEARCH.untouched) return { search: null, cost: null, parent: null }
-  if (search === SEARCH.open) return { search: 'open', ...wayTo(tape, frame.time, cell) }
+  if (search === SEARCH.open) return { search: 'open', ...wayTo(tape, frame, frame.time, cell) }
   const closed = latestAt(tape, frame.time, cell, EVENT.close)
   // Vertices of a roadmap are opened by events that a thinned tape leaves out: do not look for them.
   const isTold = tape.thinning === 'whole' || frame.vertices.length === 0
-  const parent = isTold ? wayTo(tape, closed, cell).parent : null
-  return { search: 'closed', cost: tape.value(closed), parent }
+  const parent = isTold ? wayTo(tape, frame, closed, cell).parent : null
+  return { search: 'closed', cost: costAt(tape, frame, closed), parent }
 }
 
 /** The way by which a cell was last reached before `time`. A thinned tape does not always have it. */
-function wayTo(tape: Tape, time: number, cell: Cell): Pick<CellFacts, 'cost' | 'parent'> {
-  const over = (i: number) => openedBy(tape, i).find((opened) => opened.cell === cell)
+function wayTo(
+  tape: Tape,
+  frame: Frame,
+  time: number,
+  cell: Cell,
+): Pick<CellFacts, 'cost' | 'parent'> {
+  const isOver = (i: number) => openedBy(tape, i).some((opened) => opened.cell === cell)
   // A cell that opens its neighbours is one row away at most.
   const i = tape.findLast(time, cell, tape.width + 1, (event) =>
-    tape.kind(event) === EVENT.open ? tape.cell(event) === cell : over(event) !== undefined,
+    tape.kind(event) === EVENT.open ? tape.cell(event) === cell : isOver(event),
   )
   if (i < 0) return { cost: null, parent: null }
   return tape.kind(i) === EVENT.open
     ? { cost: tape.value(i), parent: tape.other(i) }
-    : { cost: over(i)?.cost ?? null, parent: tape.cell(i) }
+    : { cost: costOfWay(tape, frame, cell), parent: tape.cell(i) }
 }
 
 function sensedAt(tape: Tape, frame: Frame, cell: Cell): CellFacts['sensed'] {

@@ -23,8 +23,9 @@ export const EVENT = {
   /** A cell or vertex was reached: cell, parent cell, cost so far. */
   open: 7,
   /**
-   * The way to it is final: cell, directions, cost. The neighbours in these directions become
-   * open or get a shorter way with it; 0 or -1 if there are none, or if they have events of their own.
+   * The way to it is final. In a search over cells: cell, directions of the neighbours that become
+   * open or get a shorter way with it; its cost is that of the way (`costAt`). Where all that is opened
+   * has events of its own: cell, -1, cost.
    */
   close: 8,
   /** A cell of the path that was found, from start to goal: cell. */

@@ -2,6 +2,7 @@ import { type Cell, cellName, pointOf } from '../grid/grid'
 import { plural } from '../grid/plural'
 import { inThousands } from '../grid/thousands'
 import { KNOWN } from './cell-state'
+import { costAt } from './cost-at'
 import { costLeft } from './cost-left'
 import { EVENT, STATUSES, type Status } from './events'
 import { type Frame, knownOf } from './frame'
@@ -62,7 +63,7 @@ export function explain(
         ? `Start at ${name(cell)} with cost ${number(value)}.`
         : `${name(cell)} gets a shorter way, over ${name(other)}: cost ${number(value)}.`
     case EVENT.close:
-      return `Of all open ones ${name(cell)} comes first, with cost ${number(value)}${whatIsLeft(tape, cell, frame)}: the way to it is final.${whatItGives(openedBy(tape, first).map(({ cell }) => name(cell)))}`
+      return `Of all open ones ${name(cell)} comes first, with cost ${number(costAt(tape, frame, first))}${whatIsLeft(tape, cell, frame)}: the way to it is final.${whatItGives(openedBy(tape, first).map(({ cell }) => name(cell)))}`
     case EVENT.path:
       return `The parents lead back from the goal: a path of ${count(frame.path.length, 'cell')}.`
     case EVENT.attraction:

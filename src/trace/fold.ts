@@ -2,7 +2,8 @@ import { stepOffsets } from '../grid/directions'
 import { InputError } from '../grid/errors'
 import type { Cell } from '../grid/grid'
 import type { Directions } from '../grid/steps'
-import { KNOWN, SEARCH, searchIn, withFelt, withKnown, withSearch } from './cell-state'
+import { KNOWN, SEARCH, searchIn, withArrival, withFelt, withKnown, withSearch } from './cell-state'
+import { costAt } from './cost-at'
 import { costLeft } from './cost-left'
 import { EVENT } from './events'
 import { type CellList, type Field, type Frame, firstFrame } from './frame'
@@ -20,6 +21,17 @@ export function advance(frame: Frame, tape: Tape, time: number): void {
   frame.edges = edges.cells
   if (end > 0) frame.line = tape.line(end - 1)
   frame.time = end
+  reckon(frame, tape)
+}
+
+/** Numbers that are not on the tape, and wanted at the end only. */
+function reckon(frame: Frame, tape: Tape): void {
+  const { searchedBy, closedBy, estimate } = frame
+  if (searchedBy >= 0) frame.cost = costAt(tape, frame, searchedBy)
+  if (estimate && closedBy >= 0) {
+    const left = costLeft(tape, tape.cell(closedBy), estimate.goal)
+    frame.values[estimate.variable] = costAt(tape, frame, closedBy) + left
+  }
 }
 
 /**
@@ -74,15 +86,14 @@ function fold(
       break
     case EVENT.open:
       search(frame, cell, SEARCH.open)
-      frame.cost = value
+      frame.searchedBy = i
       break
     case EVENT.close:
       search(frame, cell, SEARCH.closed)
       openNeighbours(frame, cell, other, offsets)
-      frame.cost = value
-      if (frame.estimate) {
-        frame.values[frame.estimate.variable] = value + costLeft(tape, cell, frame.estimate.goal)
-      }
+      frame.searchedBy = i
+      frame.closedBy = i
+      if (frame.root < 0) frame.root = cell
       break
     case EVENT.path:
       push(frame.path, cell)
@@ -169,7 +180,9 @@ function openNeighbours(frame: Frame, cell: Cell, opened: Directions, offsets: I
   for (let left = opened; left > 0; ) {
     const direction = 31 - Math.clz32(left)
     left ^= 1 << direction
-    search(frame, cell + offsets[direction], SEARCH.open)
+    const neighbour = cell + offsets[direction]
+    search(frame, neighbour, SEARCH.open)
+    frame.cells[neighbour] = withArrival(frame.cells[neighbour], direction)
   }
 }
 

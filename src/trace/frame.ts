@@ -46,6 +46,11 @@ export interface Frame {
   open: number
   closed: number
   cost: number
+  /** The numbers of the latest event that opened or closed a cell, and of the latest that closed one. */
+  searchedBy: number
+  closedBy: number
+  /** The cell that was closed first: there begin the ways of a search. */
+  root: Cell
   /** Null in a search without an estimate. */
   estimate: Estimate | null
   /** How many rows of the map were made vertices of its graph. */
@@ -103,6 +108,9 @@ export function firstFrame({ width, height }: Tape): Frame {
     open: 0,
     closed: 0,
     cost: 0,
+    searchedBy: -1,
+    closedBy: -1,
+    root: -1,
     estimate: null,
     rows: 0,
     fields: { attraction: null, repulsion: null, potential: null },

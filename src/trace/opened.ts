@@ -3,10 +3,10 @@ import type { Cell } from '../grid/grid'
 import { EVENT } from './events'
 import type { Tape } from './tape'
 
-/** A neighbour of a cell that is closed, and the cost of the way to it over that cell. */
+/** A neighbour of a cell that is closed, and the cost of the step to it. */
 export interface Opened {
   readonly cell: Cell
-  readonly cost: number
+  readonly step: number
 }
 
 /**
@@ -20,8 +20,8 @@ export function openedBy(tape: Tape, event: number): Opened[] {
   const offsets = stepOffsets(tape.width)
   for (let d = 7; d >= 0; d--) {
     if (((directions >> d) & 1) === 0) continue
-    const cost = tape.value(event) + (isDiagonal(d) ? tape.diagonalCost : 1)
-    opened.push({ cell: tape.cell(event) + offsets[d], cost })
+    const step = isDiagonal(d) ? tape.diagonalCost : 1
+    opened.push({ cell: tape.cell(event) + offsets[d], step })
   }
   return opened
 }

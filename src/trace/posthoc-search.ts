@@ -9,22 +9,28 @@ import type { PosthocLines } from './posthoc-lines'
 export class PosthocSearch {
   readonly #lines: PosthocLines
   readonly #parents: Int32Array
+  readonly #costs: Float64Array
   readonly #opened: Uint8Array
-  /** The cell that is being expanded, and its cost: closed as soon as something else happens. */
+  /** The cell that is being expanded: closed as soon as something else happens. */
   #expanding = -1
-  #cost = 0
   #pathCells = 0
 
   constructor(lines: PosthocLines, cells: number) {
     this.#lines = lines
     this.#parents = new Int32Array(cells).fill(-1)
+    this.#costs = new Float64Array(cells)
     this.#opened = new Uint8Array(cells)
+  }
+
+  /** The cost of the way to a cell that is known so far. */
+  costOf(cell: Cell): number {
+    return this.#costs[cell]
   }
 
   /** Closes the cell that was expanded, before an event that is none of its expansion. */
   before(kind: number): void {
     if (this.#expanding < 0 || kind === EVENT.open) return
-    this.#searched('closing', this.#expanding, this.#cost)
+    this.#searched('closing', this.#expanding)
     this.#expanding = -1
   }
 
@@ -56,8 +62,8 @@ export class PosthocSearch {
         break
       case EVENT.close:
         this.#expanding = cell
-        this.#cost = value
-        this.#searched('expanding', cell, value)
+        if (other < 0) this.#costs[cell] = value
+        this.#searched('expanding', cell)
         break
       case EVENT.path:
         this.#path(cell)
@@ -79,7 +85,8 @@ export class PosthocSearch {
     const type = this.#opened[cell] ? 'updating' : 'generating'
     this.#opened[cell] = 1
     this.#parents[cell] = parent
-    this.#searched(type, cell, cost)
+    this.#costs[cell] = cost
+    this.#searched(type, cell)
   }
 
   end(cell: Cell): void {
@@ -87,8 +94,9 @@ export class PosthocSearch {
     else this.#lines.cell('end', cell, this.#lines.idIfKnown(this.#parents[cell]))
   }
 
-  #searched(type: string, cell: Cell, cost: number): void {
-    this.#lines.cell(type, cell, this.#lines.idIfKnown(this.#parents[cell])).tellNumber('g', cost)
+  #searched(type: string, cell: Cell): void {
+    const parent = this.#lines.idIfKnown(this.#parents[cell])
+    this.#lines.cell(type, cell, parent).tellNumber('g', this.#costs[cell])
   }
 
   #between(type: string, from: Cell, to: Cell): PosthocLines {

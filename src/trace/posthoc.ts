@@ -99,9 +99,9 @@ function* writtenEvents(
       drive.write(kind, cell, other, value)
     }
     lines.tellNumber('line', line)
-    if (!isAttached[kind]) tellAttached(lines, tape, i, info.variables, estimate)
+    if (!isAttached[kind]) tellAttached(lines, tape, i, info.variables, estimate, search)
     for (const opened of openedBy(tape, i)) {
-      search.open(opened.cell, cell, opened.cost)
+      search.open(opened.cell, cell, search.costOf(cell) + opened.step)
       lines.tellNumber('line', line)
     }
     if (!lines.isFull) continue
@@ -123,11 +123,13 @@ function tellAttached(
   i: number,
   variables: readonly string[],
   estimate: Estimate | null,
+  search: PosthocSearch,
 ): void {
   let side = -1
   const numbers: number[] = []
   if (estimate && tape.kind(i) === EVENT.close) {
-    numbers[estimate.variable] = tape.value(i) + costLeft(tape, tape.cell(i), estimate.goal)
+    const cell = tape.cell(i)
+    numbers[estimate.variable] = search.costOf(cell) + costLeft(tape, cell, estimate.goal)
   }
   for (let j = i + 1; j < tape.length && isAttached[tape.kind(j)]; j++) {
     if (tape.kind(j) === EVENT.turn) side = tape.other(j)

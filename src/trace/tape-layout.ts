@@ -2,7 +2,7 @@
 // a tape is written in inner loops.
 
 /** Events are kept in chunks of so many, so that nothing is copied when a tape grows. */
-export const CHUNK_BITS = 11
+export const CHUNK_BITS = 12
 export const CHUNK = 1 << CHUNK_BITS
 /** But the first one has room for so many at first: tapes of small maps are short, and many. */
 export const FIRST_ROOM = 1 << 10
@@ -10,8 +10,8 @@ export const FIRST_ROOM = 1 << 10
 export const PLACE = CHUNK - 1
 
 /**
- * An event has 16 bytes. In the first word are its cell and its kind, in the second one its other
- * number and its line, each number of up to 23 bits above eight bits; its value takes the other two.
+ * An event has two words. In the first one are its cell and its kind, in the second one its other
+ * number and its line, each number of up to 23 bits above eight bits. Values have chunks of their own,
+ * and where all are 0 there is none: searches over cells, the longest tapes of all, need no values.
  */
-export const EVENT_BYTES = 16
-export const EVENT_WORDS = 4
+export const EVENT_WORDS = 2

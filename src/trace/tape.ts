@@ -1,16 +1,16 @@
 import { InputError } from '../grid/errors'
 import { type Cell, isInside } from '../grid/grid'
 import type { EventKind } from './events'
-import { CHUNK, CHUNK_BITS, EVENT_BYTES, EVENT_WORDS, FIRST_ROOM, PLACE } from './tape-layout'
+import { CHUNK, CHUNK_BITS, EVENT_WORDS, FIRST_ROOM, PLACE } from './tape-layout'
 import { LEFT_OUT, type Thinning } from './thinning'
 
 /**
- * So many events make 160 MB. A tape that comes to so many leaves out what is small from its first
- * event on; if that is not enough, all that comes later.
+ * So many events make 80 MB, and 160 if all have values. A tape that comes to so many leaves out what
+ * is small from its first event on; if that is not enough, all that comes later.
  */
 const MOST_EVENTS = 10_000_000
 
-// Of a tape that has no chunk yet.
+// Of a tape that has no chunk yet, and of a chunk whose values are all 0.
 const NO_WORDS = new Int32Array(0)
 const NO_VALUES = new Float64Array(0)
 
@@ -23,7 +23,11 @@ export interface TapeData {
   readonly diagonalCost: number
   readonly thinning: Thinning
   readonly length: number
-  /** The events, in chunks of one size, the last one as long as it must be. To be transferred. */
+  /** The events, in chunks of one size, the last one as long as it must be. */
+  readonly words: readonly Int32Array<ArrayBuffer>[]
+  /** Their values, chunk by chunk in the same way; empty where all are 0. */
+  readonly values: readonly Float64Array<ArrayBuffer>[]
+  /** The memory of both, to be transferred. */
   readonly buffers: ArrayBuffer[]
 }
 
@@ -36,7 +40,7 @@ export class Tape {
   readonly #most: number
   /** Where the planner is in its pseudocode; every event is stamped with it. */
   #line = 0
-  /** The chunks, as words and as values. */
+  /** The chunks, and their values. */
   #chunks: Int32Array<ArrayBuffer>[] = []
   #chunkValues: Float64Array<ArrayBuffer>[] = []
   /** The chunk that is written on, and how many events it has. */
@@ -61,14 +65,14 @@ export class Tape {
   }
 
   /** A tape of what another one handed over, in this thread or another. */
-  static from({ width, height, diagonalCost, thinning, length, buffers }: TapeData): Tape {
+  static from({ width, height, diagonalCost, thinning, length, words, values }: TapeData): Tape {
     const tape = new Tape()
     tape.width = width
     tape.height = height
     tape.diagonalCost = diagonalCost
     tape.thinning = thinning
-    tape.#chunks = buffers.map((buffer) => new Int32Array(buffer))
-    tape.#chunkValues = buffers.map((buffer) => new Float64Array(buffer))
+    tape.#chunks = [...words]
+    tape.#chunkValues = [...values]
     tape.#goTo(length)
     return tape
   }
@@ -109,7 +113,9 @@ export class Tape {
   }
 
   value(event: number): number {
-    return this.#chunkValues[event >> CHUNK_BITS][(event & PLACE) * 2 + 1]
+    const values = this.#chunkValues[event >> CHUNK_BITS]
+    const place = event & PLACE
+    return place < values.length ? values[place] : 0
   }
 
   /**
@@ -153,7 +159,8 @@ export class Tape {
     const words = this.#words
     words[i * EVENT_WORDS] = (cell << 8) | kind
     words[i * EVENT_WORDS + 1] = (other << 8) | line
-    this.#values[i * 2 + 1] = value
+    if (i < this.#values.length) this.#values[i] = value
+    else if (value !== 0) this.#setValue(this.length, value)
     this.#used = i + 1
   }
 
@@ -161,14 +168,37 @@ export class Tape {
   release(): TapeData {
     const { width, height, diagonalCost, thinning, length } = this
     const count = Math.ceil(length / CHUNK)
-    const buffers = this.#chunks.slice(0, count).map(({ buffer }, chunk) => {
-      const events = Math.min(length - chunk * CHUNK, CHUNK)
-      return events < CHUNK ? buffer.slice(0, events * EVENT_BYTES) : buffer
-    })
+    // What is not written of the last chunk is left out.
+    const rest = length - (count - 1) * CHUNK
+    const isCut = (chunk: number) => chunk === count - 1 && rest < CHUNK
+    const words = this.#chunks
+      .slice(0, count)
+      .map((words, chunk) => (isCut(chunk) ? words.slice(0, rest * EVENT_WORDS) : words))
+    const values = this.#chunkValues
+      .slice(0, count)
+      .map((values, chunk) => (isCut(chunk) ? values.slice(0, rest) : values))
     this.#chunks = []
     this.#chunkValues = []
     this.begin(width, height, diagonalCost)
-    return { width, height, diagonalCost, thinning, length, buffers }
+    const buffers = [...words, ...values].filter((chunk) => chunk.length > 0)
+    return {
+      ...{ width, height, diagonalCost, thinning, length, words, values },
+      buffers: buffers.map(({ buffer }) => buffer),
+    }
+  }
+
+  #setValue(event: number, value: number): void {
+    const chunk = event >> CHUNK_BITS
+    const place = event & PLACE
+    const before = this.#chunkValues[chunk]
+    if (place < before.length) before[place] = value
+    else if (value !== 0) {
+      const values = new Float64Array(this.#chunks[chunk].length / EVENT_WORDS)
+      values.set(before)
+      values[place] = value
+      this.#chunkValues[chunk] = values
+      if (chunk === this.#chunk) this.#values = values
+    }
   }
 
   /** Whether an event of this kind is to be written; if so, there is room for it then. */
@@ -201,9 +231,8 @@ export class Tape {
     const before = this.#chunks[chunk]
     if (before === undefined || before.length < CHUNK * EVENT_WORDS) {
       const room = length === 0 ? FIRST_ROOM : CHUNK
-      const buffer = new ArrayBuffer(room * EVENT_BYTES)
-      this.#chunks[chunk] = new Int32Array(buffer)
-      this.#chunkValues[chunk] = new Float64Array(buffer)
+      this.#chunks[chunk] = new Int32Array(room * EVENT_WORDS)
+      this.#chunkValues[chunk] ??= NO_VALUES
       if (before) this.#chunks[chunk].set(before)
     }
     this.#goTo(length)
@@ -231,6 +260,7 @@ export class Tape {
       const source = this.#chunks[i >> CHUNK_BITS]
       const target = this.#chunks[kept >> CHUNK_BITS]
       for (let word = 0; word < EVENT_WORDS; word++) target[to + word] = source[from + word]
+      this.#setValue(kept, this.value(i))
       kept++
     }
     return kept

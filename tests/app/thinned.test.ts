@@ -18,7 +18,7 @@ const MAP = 'S....\n.##..\n.#...\n...#.\n.#..G'
 function thinnedPlan(id: string): Shown {
   const whole = planned(setupFrom(MAP, id))
   const { width, height, diagonalCost, length } = whole.tape
-  const empty = { width, height, diagonalCost, length: 0, buffers: [] }
+  const empty = { width, height, diagonalCost, length: 0, words: [], values: [], buffers: [] }
   const tape = Tape.from({ ...empty, thinning: 'thinned' })
   for (const { kind, line, cell, other, value } of written(whole.tape)) {
     tape.at(line).write(kind, cell, other, value)

@@ -13,6 +13,9 @@ export interface Event {
   readonly value: number
 }
 
+/** The variable of the estimate: a planner writes no other value of it. */
+const ESTIMATED = WIDTH * HEIGHT
+
 const cells = fc.nat({ max: WIDTH * HEIGHT - 1 })
 
 /**
@@ -37,8 +40,8 @@ const event: fc.Arbitrary<Event> = fc
     const noCell = name === 'value' || (outside && (name === 'feel' || name === 'target'))
     const small = name === 'sense' || name === 'turn' ? other % 2 : other
     const opened = outside ? -1 : directions & directionsInside(cell, WIDTH, HEIGHT)
-    const second = name === 'close' ? opened : small
-    return { kind: EVENT[name], line, cell: noCell ? -1 : cell, other: second, value }
+    const second = name === 'close' ? opened : name === 'estimate' ? ESTIMATED : small
+    return { kind: EVENT[name], line, cell: noCell ? -1 : cell, other: second, value: value + 0 }
   })
 
 export const events = fc.array(event, { maxLength: 60 })

@@ -12,7 +12,7 @@ test('a cell that A* closes tells what is left from it at least', () => {
   const tape = new Tape()
   tape.begin(10, 10, Math.SQRT2)
   tape.write(EVENT.estimate, 57, 0)
-  tape.write(EVENT.close, 34, 0, 4)
+  tape.write(EVENT.close, 34, -1, 4)
   expect(explain(tape, 1, frameAt(tape, 2), [])).toBe(
     'Of all open ones (4, 3) comes first, with cost 4 and at least 3.828 left: the way to it is final.',
   )
@@ -21,7 +21,7 @@ test('a cell that A* closes tells what is left from it at least', () => {
 test('large numbers are written as everywhere on the page', () => {
   const tape = new Tape()
   tape.begin(10, 10)
-  tape.write(EVENT.close, 54, 0, 12345 + Math.SQRT2)
+  tape.write(EVENT.close, 54, -1, 12345 + Math.SQRT2)
   expect(explain(tape, 0, frameAt(tape, 1), [])).toBe(
     'Of all open ones (4, 5) comes first, with cost 12,346.414: the way to it is final.',
   )
@@ -35,9 +35,12 @@ test.each([
   ['more', east | southEast | south, ' It gives (4, 6), (5, 6) and (5, 5) a shorter way.'],
 ])('a cell that is closed tells of %s', (_, directions, more) => {
   const tape = new Tape()
-  tape.begin(10, 10)
-  tape.write(EVENT.close, 54, directions, 2 + Math.SQRT2)
-  expect(explain(tape, 0, frameAt(tape, 1), [])).toBe(CLOSED + more)
+  tape.begin(10, 10, Math.SQRT2)
+  tape.write(EVENT.close, 23, southEast)
+  tape.write(EVENT.close, 34, south)
+  tape.write(EVENT.close, 44, south)
+  tape.write(EVENT.close, 54, directions, directions < 0 ? 2 + Math.SQRT2 : 0)
+  expect(explain(tape, 3, frameAt(tape, 4), [])).toBe(CLOSED + more)
 })
 
 type Written = Parameters<Tape['write']>

@@ -1,9 +1,10 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { EVENT, type EventKind, type Frame, frameAt, Player, Tape } from '../../src/index'
-import { withFelt, withKnown } from '../../src/trace/cell-state'
+import { withArrival, withFelt, withKnown } from '../../src/trace/cell-state'
 import { foldWhole } from '../../src/trace/checkpoints'
 import { type Field, packed } from '../../src/trace/frame'
+import { DIRECTIONS } from '../reference/world'
 import { type Event, events, HEIGHT, tapeOf, WIDTH } from './arbitraries'
 import { withOpened } from './written'
 
@@ -15,6 +16,9 @@ const steps = (a: number, b: number): number =>
     Math.abs((a % WIDTH) - (b % WIDTH)),
     Math.abs(Math.floor(a / WIDTH) - Math.floor(b / WIDTH)),
   )
+
+const directionTo = (from: number, to: number): number =>
+  DIRECTIONS.findIndex(([dx, dy]) => to - from === dy * WIDTH + dx)
 
 /** The picture after some events, each part of it asked of the list on its own. */
 function picture(list: readonly Event[]): Frame {
@@ -53,16 +57,38 @@ function picture(list: readonly Event[]): Frame {
   for (const e of list) {
     if (e.kind === EVENT.estimate) estimate = { goal: e.cell, variable: e.other }
     if (e.kind === EVENT.value) values[e.other] = e.value
-    if (e.kind === EVENT.close && estimate) {
-      values[estimate.variable] = e.value + steps(e.cell, estimate.goal)
-    }
   }
+  const root = all(EVENT.close).at(0)?.cell ?? -1
+  const arrivals = new Map(
+    searched
+      .filter((e) => e.kind === EVENT.open && !list.includes(e))
+      .map(({ cell, other }) => [cell, directionTo(other, cell)]),
+  )
+  /** Each step costs 1 here. A way that leads nowhere is followed for as many steps as there are cells. */
+  const costOf = ({ kind, cell, other, value }: Event): number => {
+    if (kind !== EVENT.close || other < 0) return value
+    let at = cell
+    let steps = 0
+    for (; at !== root && steps < WIDTH * HEIGHT; steps++) {
+      const [dx, dy] = DIRECTIONS[arrivals.get(at) ?? 0]
+      at -= dy * WIDTH + dx
+    }
+    return steps
+  }
+  const closed = lastOf(EVENT.close)
+  if (estimate && closed) {
+    values[estimate.variable] = costOf(closed) + steps(closed.cell, estimate.goal)
+  }
+  const opened = lastOf(EVENT.open, EVENT.close)
   return {
     time: list.length,
     phase: lastOf(EVENT.phase)?.other ?? -1,
     open: search.filter((state) => state === 1).length,
     closed: search.filter((state) => state === 2).length,
-    cost: lastOf(EVENT.open, EVENT.close)?.value ?? 0,
+    cost: opened ? costOf(opened) : 0,
+    searchedBy: opened ? list.lastIndexOf(opened) : -1,
+    closedBy: closed ? list.lastIndexOf(closed) : -1,
+    root,
     rows: all(EVENT.row).length,
     fields: {
       attraction: fieldOf(EVENT.attraction),
@@ -73,7 +99,7 @@ function picture(list: readonly Event[]): Frame {
     test: test ? { cell: test.cell, obstacle: test.other, passed: test.value === 1 } : null,
     refusal: refusal ? { from: refusal.cell, to: refusal.other, at: refusal.value } : null,
     cells: Uint8Array.from(search, (searched, cell) => {
-      const state = withKnown(searched, known[cell])
+      const state = withArrival(withKnown(searched, known[cell]), arrivals.get(cell) ?? 0)
       return isFelt[cell] ? withFelt(state) : state
     }),
     vertices: Int32Array.from(cells(EVENT.vertex)),

@@ -89,9 +89,9 @@ describe('the events of a trace', () => {
     const tape = tapeOf([
       ['open', 0],
       ['estimate', 2, 0],
-      ['close', 0, east + south, 0],
-      ['close', 1, southEast, 1],
-      ['close', 3, 0, 1.5],
+      ['close', 0, east + south],
+      ['close', 1, southEast],
+      ['close', 3, 0],
       ['end', 3, STATUSES.indexOf('unreachable')],
     ])
     tape.diagonalCost = 1.25
@@ -111,8 +111,8 @@ describe('the events of a trace', () => {
       { type: 'generating', id: '2,1', pId: '1,0', x: 2, y: 1, g: 2.25, line: 4 },
       { type: 'closing', ...west },
       // From (0, 1) to (2, 0) it is a diagonal step and a straight one.
-      { type: 'expanding', ...below, g: 1.5, line: 5, [least]: 3.75 },
-      { type: 'closing', ...below, g: 1.5 },
+      { type: 'expanding', ...below, line: 5, [least]: 3.25 },
+      { type: 'closing', ...below },
       { type: 'end', id: '0,1', pId: '0,0', x: 0, y: 1, status: 'unreachable', line: 6 },
     ])
   })

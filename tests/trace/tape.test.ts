@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
-import { EVENT, frameAt, InputError, Tape } from '../../src/index'
+import { EVENT, frameAt, InputError, Tape, type TapeData } from '../../src/index'
 import { events, HEIGHT, tapeOf, WIDTH } from './arbitraries'
 import { kindsOf, written } from './written'
 
@@ -57,14 +57,37 @@ test('a tape that begins anew has forgotten all', () => {
   expect(written(tape)).toEqual([{ kind: EVENT.step, line: 0, cell: 5, other: -1, value: 0 }])
 })
 
+const bytesOf = ({ buffers }: TapeData): number =>
+  buffers.reduce((sum, { byteLength }) => sum + byteLength, 0)
+
+test('values need room only near those that are not 0', () => {
+  const tape = new Tape()
+  tape.begin(400, 400)
+  for (let i = 0; i < LONG; i++) tape.write(EVENT.close, i, 1, i === LONG / 2 ? 0.5 : 0)
+  expect(tape.value(LONG / 2)).toBe(0.5)
+  expect(written(tape).filter(({ value }) => value !== 0)).toHaveLength(1)
+  const bytes = bytesOf(tape.release())
+  expect(bytes).toBeGreaterThan(8 * LONG)
+  expect(bytes).toBeLessThan(12 * LONG)
+})
+
+test('a chunk that is written on anew keeps no value of before', () => {
+  const tape = new Tape()
+  tape.begin(9, 9)
+  for (let i = 0; i < 5; i++) tape.write(EVENT.edge, i, 0, 7)
+  tape.begin(9, 9)
+  for (let i = 0; i < 3; i++) tape.write(EVENT.edge, i, 0, i % 2)
+  expect(written(tape).map(({ value }) => value)).toEqual([0, 1, 0])
+})
+
 describe('release', () => {
   test('gives the events, in no more room than they need', () => {
     fc.assert(
       fc.property(events, (list) => {
         const data = tapeOf(list).release()
         expect([data.width, data.height, data.length]).toEqual([WIDTH, HEIGHT, list.length])
-        const bytes = data.buffers.reduce((sum, { byteLength }) => sum + byteLength, 0)
-        expect(bytes).toBe(16 * list.length)
+        const hasValues = list.some(({ value }) => value !== 0)
+        expect(bytesOf(data)).toBe((hasValues ? 16 : 8) * list.length)
         expect(written(Tape.from(data))).toEqual(list)
       }),
     )

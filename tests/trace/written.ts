@@ -24,24 +24,21 @@ function neighbours({ cell, other }: Event, width: number, diagonalCost: number)
   )
 }
 
-/** The same events, with one more for each neighbour that is opened by the closing of a cell. */
+/**
+ * The same events, with one more for each neighbour that is opened by the closing of a cell, and with
+ * the costs that need not be written.
+ */
 export function withOpened(events: readonly Event[], width: number, diagonalCost = 1): Event[] {
-  return events.flatMap((event) =>
-    event.kind !== EVENT.close
-      ? [event]
-      : [
-          event,
-          ...neighbours(event, width, diagonalCost)
-            .reverse()
-            .map(({ cell, cost }) => ({
-              ...event,
-              kind: EVENT.open,
-              cell,
-              other: event.cell,
-              value: event.value + cost,
-            })),
-        ],
-  )
+  const costs = new Map<number, number>()
+  return events.flatMap((event) => {
+    if (event.kind !== EVENT.close || event.other < 0) return [event]
+    const value = costs.get(event.cell) ?? 0
+    const opened = neighbours(event, width, diagonalCost).map(({ cell, cost }) => {
+      costs.set(cell, value + cost)
+      return { ...event, kind: EVENT.open, cell, other: event.cell, value: value + cost }
+    })
+    return [{ ...event, value }, ...opened.reverse()]
+  })
 }
 
 /** The directions in which a cell has neighbours on the map. */

@@ -47,7 +47,7 @@ function search(
     const weight = weights[cell]
     if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
     if (cell === goal) {
-      record?.closed(cell, 0, weight)
+      record?.closed(cell, 0)
       return expanded
     }
     let opened: Directions = 0
@@ -65,7 +65,7 @@ function search(
       openCells.push(neighbour, longer + estimate(neighbour))
       opened |= 1 << direction
     }
-    record?.closed(cell, opened, weight)
+    record?.closed(cell, opened)
   }
   return expanded
 }

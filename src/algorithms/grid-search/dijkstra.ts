@@ -54,7 +54,7 @@ function search(
       const weight = weights[cell]
       if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
       if (cell === goal) {
-        record?.closed(cell, 0, units + (weight - least) / UNIT)
+        record?.closed(cell, 0)
         return expanded
       }
       let opened: Directions = 0
@@ -73,7 +73,7 @@ function search(
         else afterNextCells[afterNextCount++] = neighbour
         opened |= 1 << direction
       }
-      record?.closed(cell, opened, units + (weight - least) / UNIT)
+      record?.closed(cell, opened)
     }
     next.count = nextCount
     afterNext.count = afterNextCount

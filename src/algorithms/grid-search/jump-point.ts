@@ -55,7 +55,7 @@ export function jumpPointSearch({
     const cell = vertices.cell(vertex)
     const weight = vertices.weights[vertex]
     if (++expanded % PROGRESS_EVERY === 0) progress(expanded / cells)
-    record?.closed(cell, 0, weight)
+    record?.jumpPointClosed(cell, weight)
     if (vertex === last) {
       return { path: wayBackOverJumps(graph, problem, legal, goalInSight), expanded }
     }

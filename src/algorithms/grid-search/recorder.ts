@@ -28,9 +28,13 @@ export class Recorder {
   }
 
   /** @param opened the directions of the neighbours to which it gives a shorter way */
-  closed(cell: Cell, opened: Directions, weight: number): void {
+  closed(cell: Cell, opened: Directions): void {
+    this.#tape.writeAt(this.#closeLine, EVENT.close, cell, opened, 0)
+  }
+
+  jumpPointClosed(cell: Cell, weight: number): void {
     const cost = costOfWeight(this.#cost, weight)
-    this.#tape.writeAt(this.#closeLine, EVENT.close, cell, opened, cost)
+    this.#tape.writeAt(this.#closeLine, EVENT.close, cell, -1, cost)
   }
 
   /** Jump points are far away, so each has an event of its own. */
