@@ -163,7 +163,10 @@ function quoted(value: Value): string {
 
 /** What finds the values in a line that has a comma, a semicolon or a tab between them. */
 function lineSplitter(separator: string): (line: string) => string[] {
-  const part = new RegExp(`(?:"((?:[^"]|"")*)"|([^${separator}]*))(${separator}|$)`, 'y')
+  const part = new RegExp(
+    `(?:"((?:[^"]|"")*)"|([^"${separator}][^${separator}]*)?)(${separator}|$)`,
+    'y',
+  )
   return (line) => {
     const values: string[] = []
     part.lastIndex = 0
@@ -172,7 +175,7 @@ function lineSplitter(separator: string): (line: string) => string[] {
       if (!found) {
         throw new InputError(`This line has a quote that is not closed: ${describe(line)}.`)
       }
-      values.push(found[1]?.replaceAll('""', '"') ?? found[2])
+      values.push(found[1]?.replaceAll('""', '"') ?? found[2] ?? '')
       end = found[3]
     }
     return values

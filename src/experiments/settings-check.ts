@@ -130,7 +130,8 @@ function checkAmount(settings: ExperimentSettings): void {
 function checkDistance({ leastDistance, families, sizes }: ExperimentSettings): void {
   const given = families.flatMap(({ maps }) => maps ?? [])
   const givenSizes = given.map(({ rows }) => [rows[0].length, rows.length] as const)
-  for (const [width, height] of [...sizes, ...givenSizes]) {
+  const isGenerated = families.some(({ family }) => family !== GIVEN_MAPS)
+  for (const [width, height] of [...(isGenerated ? sizes : []), ...givenSizes]) {
     const most = Math.max(width, height) - 1
     if (leastDistance <= most) continue
     const size = `${width} × ${height}`

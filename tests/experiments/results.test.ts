@@ -142,6 +142,11 @@ test('CSV with commas between its values has none in its numbers', () => {
   expect(() => openResults(odd)).toThrow('Line 3 is no row of results: "density" is "10,5".')
 })
 
+test.each(['"random', '"random"x'])('CSV with a quote that is not closed is told of: %s', (odd) => {
+  const text = resultsToCsv(results).replace('\n0,random,', `\n0,${odd},`)
+  expect(() => openResults(text)).toThrow('quote that is not closed')
+})
+
 test('CSV of older versions, with the settings as they are, is opened', () => {
   const text = resultsToCsv(results)
   const [comment] = text.split('\n')

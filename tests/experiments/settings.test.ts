@@ -139,6 +139,12 @@ describe('a fault is told in a sentence that begins with the field', () => {
     }
   })
 
+  test('but no size is too small if no map is made of it', () => {
+    const rows = ['...........', '...........']
+    const fields = { ...maps({ name: 'x', rows }), sizes: [[5, 5]], leastDistance: 10 }
+    expect(checkSettings({ ...SMALL, ...fields }).leastDistance).toBe(10)
+  })
+
   test.each([[[]], [3], ['x'], [null]])('%j is no object', (value) => {
     expect(() => checkSettings(value)).toThrow(
       /^The settings must be an object|^format: is missing/,
