@@ -230,7 +230,8 @@ export class Tape {
     const chunk = length >> CHUNK_BITS
     const before = this.#chunks[chunk]
     if (before === undefined || before.length < CHUNK * EVENT_WORDS) {
-      const room = length === 0 ? FIRST_ROOM : CHUNK
+      const first = length === 0 ? FIRST_ROOM : CHUNK
+      const room = before ? Math.min(CHUNK, (2 * before.length) / EVENT_WORDS) : first
       this.#chunks[chunk] = new Int32Array(room * EVENT_WORDS)
       this.#chunkValues[chunk] ??= NO_VALUES
       if (before) this.#chunks[chunk].set(before)
