@@ -1,4 +1,4 @@
-import { type Cell, cellName, pointOf } from '../grid/grid'
+import { type Cell, cellName, isInside, pointOf } from '../grid/grid'
 import { plural } from '../grid/plural'
 import { inThousands } from '../grid/thousands'
 import { KNOWN } from './cell-state'
@@ -122,18 +122,22 @@ function explainStep(
   if (frame.target >= 0)
     return `Step to ${name(cell)}, along the boundary to ${name(frame.target)}.`
   const side = SIDES[frame.turn]
-  return isInTheWay(tape.width, from, cell, frame)
+  return isInTheWay(tape, from, cell, frame)
     ? `Step to ${name(cell)}, where ${name(frame.atSide)} is in the way: it is kept on the ${side} from now on.`
     : `Step to ${name(cell)}, keeping ${name(frame.atSide)} on the ${side}.`
 }
 
 /** Whether the obstacle cell that the rover keeps at its side did not lie there when it came, but ahead. */
-function isInTheWay(width: number, from: Cell, to: Cell, { atSide, turn }: Frame): boolean {
-  if (atSide < 0) return false
-  const [was, is, kept] = [from, to, atSide].map((place) => pointOf(width, place))
-  // Above 0 if it is on the right of the way that the rover came.
-  const side = (is.x - was.x) * (kept.y - is.y) - (is.y - was.y) * (kept.x - is.x)
-  return turn === 0 ? side >= 0 : side <= 0
+function isInTheWay(tape: Tape, from: Cell, to: Cell, { atSide, turn }: Frame): boolean {
+  const [was, is] = [from, to].map((place) => pointOf(tape.width, place))
+  // The way that the rover came, turned to the side at which it keeps obstacles.
+  const hand = turn === 0 ? 1 : -1
+  const dx = hand * (is.y - was.y)
+  const dy = hand * (was.x - is.x)
+  // Which part of the border it is does not stand on the tape; there is some at the side, or none.
+  if (atSide < 0) return isInside(tape, is.x + dx, is.y + dy)
+  const kept = pointOf(tape.width, atSide)
+  return dx * (kept.x - is.x) + dy * (kept.y - is.y) <= 0
 }
 
 function explainTarget(place: string, cell: Cell, value: number, frame: Frame): string {

@@ -174,6 +174,23 @@ test.each(['left', 'right'])('an obstacle ahead is kept on the %s only from then
   )
 })
 
+test.each(['left', 'right'])('the border ahead is kept on the %s only from then on', (turn) => {
+  const wallToTheBorder = `
+    ....#...
+    S...#..G
+    ....#...
+  `
+  const y = turn === 'left' ? 2 : 0
+  const sentences = told(wallToTheBorder, 'bug2', { turn })
+  const first = sentences.findIndex((sentence) => sentence.startsWith(`Step to (3, ${y})`))
+  expect(sentences.slice(first, first + 4)).toEqual([
+    `Step to (3, ${y}), where the border of the map is in the way: it is kept on the ${turn} from now on.`,
+    `Step to (2, ${y}), keeping the border of the map on the ${turn}.`,
+    `Step to (1, ${y}), keeping the border of the map on the ${turn}.`,
+    `Step to (0, ${y}), keeping the border of the map on the ${turn}.`,
+  ])
+})
+
 test('Bug1 says which cell it goes back to', () => {
   expect(told(maps.fig11, 'bug1')).toContain(
     'Head back for (4, 3), of this boundary the nearest to the goal: distance 3.',
