@@ -106,7 +106,10 @@ function nearest(
 /** The local tangent graph: the free way to the goal, and the ends of obstacles in reach. */
 function tangentGraph(rover: Rover, square: SensedSquare): Way[] {
   const places = freeWayToGoal(rover)
+  const [onTheWay] = places
   square.placesInReach((place) => {
+    // Where the free way leaves the square may be an end as well.
+    if (onTheWay && isSamePlace(onTheWay, place)) return
     if (isEnd(rover, place)) places.push({ ...place })
   })
   return places.map((place) => wayOver(rover, place))

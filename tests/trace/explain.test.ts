@@ -224,6 +224,12 @@ test('Bug2 says where on its m-line it is again', () => {
   ])
 })
 
+test('a node that is an end as well as on the free way is counted once', () => {
+  const classic = { variant: 'classic', range: 1 }
+  const sentences = told('SG\n##', 'tangent-bug', classic)
+  expect(sentences).toContain('1 node in reach of (0, 0).')
+})
+
 test('Tangent Bug says what a node has over the others', () => {
   expect(told(maps.fig11, 'tangent-bug')).toContain(
     'Head for (4, 12), of the nodes the one with the shortest way over it to the goal: 14 steps.',
