@@ -48,7 +48,10 @@ export function driveClassic(rover: Rover, turn: Turn, notes: DriveNotes): Drive
     }
     // Nothing to steer for, but the way is free: the simplest path gets nearer as well.
     const ahead = simplestStep(rover.position, goal)
-    if (!target && isIn(rover.legalSteps(), ahead)) target = stepped(rover.position, ahead)
+    if (!target && isIn(rover.legalSteps(), ahead)) {
+      target = stepped(rover.position, ahead)
+      notes.at(line.ahead).target(target, distance(rover.position, goal))
+    }
     if (target) {
       notes.at(line.towards)
       goTowards(target)

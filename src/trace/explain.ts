@@ -81,7 +81,7 @@ export function explain(
         ? `No end of an obstacle is in reach of ${name(cell)}.`
         : `${count(frame.nodes.length, 'node')} in reach of ${name(cell)}.`
     case EVENT.target:
-      return explainTarget(cell < 0 ? 'a place of the border' : name(cell), cell, value, frame)
+      return explainTarget(cell < 0 ? 'a place of the border' : name(cell), tape, first, frame)
     case EVENT.mLine:
       return `The m-line: the simplest path from start to goal, ${count(frame.mLine.length, 'cell')}.`
     case EVENT.hit: {
@@ -140,19 +140,23 @@ function isInTheWay(tape: Tape, from: Cell, to: Cell, { atSide, turn }: Frame): 
   return dx * (kept.x - is.x) + dy * (kept.y - is.y) <= 0
 }
 
-function explainTarget(place: string, cell: Cell, value: number, frame: Frame): string {
+function explainTarget(place: string, tape: Tape, first: number, frame: Frame): string {
+  const cell = tape.cell(first)
+  const value = tape.value(first)
   // Whether the agent goes there is for the next step to say.
   if (frame.fields.potential)
     return `The neighbour of lowest potential to choose from is ${place}: ${number(value)}.`
   // Only Bug1 heads for a place while it is at the boundary.
   if (frame.following)
     return `Head back for ${place}, of this boundary the nearest to the goal: distance ${number(value)}.`
-  // Classic Tangent Bug, which has just left a boundary for it.
-  if (frame.nodes.length === 0)
+  // Classic Tangent Bug, which has just left a boundary for it, or finds no node to head for.
+  if (first > 0 && tape.kind(first - 1) === EVENT.leave)
     return `Head for ${place}, of the places in reach the nearest to the goal.`
+  if (!frame.nodes.includes(cell))
+    return `Head for ${place}, the next cell of the simplest path to the goal: the step is free, and no node is nearer to the goal than the start and all targets reached before.`
   // Nodes of classic Tangent Bug are free, those of the report's are not, and any of them may be chosen.
   if (cell >= 0 && knownOf(frame, cell) === KNOWN.free)
-    return `Head for ${place}: ${count(value, 'step')} over it to the goal, the fewest of the nodes that are nearer to it than all targets reached before.`
+    return `Head for ${place}: ${count(value, 'step')} over it to the goal, the fewest of the nodes that are nearer to it than the start and all targets reached before.`
   return `Head for ${place}, of the nodes the one with the shortest way over it to the goal: ${count(value, 'step')}.`
 }
 

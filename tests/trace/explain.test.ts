@@ -224,6 +224,22 @@ test('Bug2 says where on its m-line it is again', () => {
   ])
 })
 
+test('classic Tangent Bug says where it heads without a node, and never moves without a target', () => {
+  const tape = new Tape()
+  const problem = problemFromText(maps.fig06)
+  plan(problem, 'tangent-bug', { params: { variant: 'classic', range: 2 }, tape })
+  const steps = Array.from(stepsOf(tape))
+  const sentences = steps
+    .slice(1)
+    .map((time, i) => explain(tape, steps[i], frameAt(tape, time), []))
+  const alone = sentences.indexOf(
+    'Head for (7, 3), the next cell of the simplest path to the goal: the step is free, and no node is nearer to the goal than the start and all targets reached before.',
+  )
+  expect(sentences[alone + 1]).toBe('Step to (7, 3): the way is free.')
+  const { target, rover } = frameAt(tape, steps[alone + 2])
+  expect(target).toBe(rover)
+})
+
 test('a node that is an end as well as on the free way is counted once', () => {
   const classic = { variant: 'classic', range: 1 }
   const sentences = told('SG\n##', 'tangent-bug', classic)
@@ -236,7 +252,7 @@ test('Tangent Bug says what a node has over the others', () => {
   )
   const classic = told(maps.fig12, 'tangent-bug', { variant: 'classic', range: 2 })
   expect(classic).toContain(
-    'Head for (6, 2): 11 steps over it to the goal, the fewest of the nodes that are nearer to it than all targets reached before.',
+    'Head for (6, 2): 11 steps over it to the goal, the fewest of the nodes that are nearer to it than the start and all targets reached before.',
   )
   const left = classic.findIndex((sentence) => sentence.startsWith('Leave'))
   expect(classic[left + 1]).toMatch(
