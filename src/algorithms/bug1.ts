@@ -79,7 +79,7 @@ export const bug1 = onlinePlanner({
         if (isBackwards) notes.turn(otherSide(params.turn))
         notes.value(HERE, distance(rover.position, goal))
       }
-      notes.at(line.leave).leave()
+      notes.at(line.leave).leave('nearest')
     }
     notes.at(line.reached)
     return { status: 'reached', reason: 'the rover is at the goal' }

@@ -70,7 +70,7 @@ export function driveClassic(rover: Rover, turn: Turn, notes: DriveNotes): Drive
       notes.value(D_REACH, distance(reach, goal))
       notes.value(D_FOLLOWED, distance(followed, goal))
       if (far(reach) < far(followed)) {
-        notes.at(line.leave).leave()
+        notes.at(line.leave).leave('place-in-reach')
         bound = far(followed)
         target = reach
         notes.target(reach, wayOver(rover, reach).steps)

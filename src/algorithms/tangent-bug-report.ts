@@ -68,7 +68,7 @@ export function driveAsInReport(rover: Rover, notes: DriveNotes): DriveAnswer {
       walk.step()
       noteDistances()
     } while (!isAtGoal() && !mayLeave(rover, walk))
-    if (!isAtGoal()) notes.at(line.depart).leave()
+    if (!isAtGoal()) notes.at(line.depart).leave('free-step')
   }
   notes.at(line.reached)
   return { status: 'reached', reason: 'the rover is at the goal' }

@@ -4,7 +4,7 @@ import { inThousands } from '../grid/thousands'
 import { KNOWN } from './cell-state'
 import { costAt } from './cost-at'
 import { costLeft } from './cost-left'
-import { EVENT, STATUSES, type Status } from './events'
+import { EVENT, LEAVES, type Leave, STATUSES, type Status } from './events'
 import { type Frame, knownOf } from './frame'
 import { openedBy } from './opened'
 import type { Tape } from './tape'
@@ -18,6 +18,14 @@ const ENDS: Record<Status, string> = {
   'local-minimum': 'a local minimum',
   'dead-end': 'a dead end',
   loop: 'the rover goes round for ever',
+}
+
+const WHY_LEFT: Record<Leave, string> = {
+  'm-line': 'the m-line is met again',
+  nearest: 'of this boundary it is the nearest to the goal',
+  'free-step':
+    'a step of the simplest path is free, and the goal no farther than from the obstacle at its side',
+  'place-in-reach': 'a place in reach is nearer to the goal than the obstacle that was followed',
 }
 
 /**
@@ -94,8 +102,8 @@ export function explain(
       return `Round the obstacle once, in ${count(value, 'step')}, and back at ${name(cell)}.`
     case EVENT.leave: {
       const met = frame.mLine.indexOf(cell)
-      const why = met < 0 ? 'away from the boundary' : `the m-line is met again, at its cell ${met}`
-      return `Leave point ${value} at ${name(cell)}: ${why}.`
+      const where = met < 0 ? '' : `, at its cell ${met}`
+      return `Leave point ${value} at ${name(cell)}: ${WHY_LEFT[LEAVES[other]]}${where}.`
     }
     case EVENT.loop:
       return `Loop: the same place and the same state as after ${count(value, 'step')}, so the rover goes round for ever.`

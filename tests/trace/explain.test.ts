@@ -111,7 +111,10 @@ const SENTENCES: readonly (readonly [string, ...Written[]])[] = [
     [EVENT.feel, -1],
   ]),
   ['Round the obstacle once, in 12 steps, and back at (4, 5).', [EVENT.around, 54, -1, 12]],
-  ['Leave point 3 at (4, 5): away from the boundary.', [EVENT.leave, 54, -1, 3]],
+  [
+    'Leave point 3 at (4, 5): of this boundary it is the nearest to the goal.',
+    [EVENT.leave, 54, 1, 3],
+  ],
   [
     'Loop: the same place and the same state as after 1 step, so the rover goes round for ever.',
     [EVENT.loop, 54, -1, 1],
@@ -214,6 +217,25 @@ test('Bug1 has the obstacle on its other side where it goes back the way that it
     turnAt('Head back for (4, 3), of this boundary the nearest to the goal: distance 3.', 1),
   ).toBe(left)
   expect(turnAt('Step to (2, 6), along the boundary to (4, 3).', 1)).toBe(right)
+})
+
+test.each([
+  ['bug1', {}, 'of this boundary it is the nearest to the goal.'],
+  ['bug2', {}, 'the m-line is met again, at its cell 6.'],
+  [
+    'tangent-bug',
+    { variant: 'report' },
+    'a step of the simplest path is free, and the goal no farther than from the obstacle at its side.',
+  ],
+  [
+    'tangent-bug',
+    { variant: 'classic' },
+    'a place in reach is nearer to the goal than the obstacle that was followed.',
+  ],
+])('%s %o says why it leaves a boundary', (planner, params, why) => {
+  const leaves = told(maps.fig11, planner, params).filter((sentence) => /^Leave/.test(sentence))
+  expect(leaves.length).toBeGreaterThan(0)
+  expect(leaves[0].replace(/^.*\): /, '')).toBe(why)
 })
 
 test('Bug2 says where on its m-line it is again', () => {
