@@ -25,7 +25,7 @@ const LOWEST = 1
 
 /** What both planners share of their declarations. */
 export const descentPhases = ['Attraction', 'Repulsion', 'Sum of both', 'Walk'] as const
-export const descentVariables = ['potential here', 'lowest potential of the neighbours'] as const
+export const descentVariables = ['potential here', 'lowest potential to choose from'] as const
 
 type PotentialLines = ReturnType<typeof descentPseudocode>['line']
 
@@ -84,7 +84,7 @@ export function descend(task: Descent): Answer {
     if (next >= 0) {
       tape?.at(lines.choose).write(EVENT.target, next, -1, potential(next))
       tape?.write(EVENT.value, next, LOWEST, potential(next))
-    }
+    } else tape?.write(EVENT.value, here, LOWEST, -1)
     const isStuck = next < 0 || (!memory && potential(next) >= potential(here))
     if (isStuck) {
       tape?.at(lines.stuck)

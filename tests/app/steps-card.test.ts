@@ -177,6 +177,18 @@ describe('the numbers of a step', () => {
     expect(seen).not.toContain('-1')
   })
 
+  it('of a field with memory leave out what was visited, and say "none" in a dead end', () => {
+    const state = stateOf('potential-field-memory', 'S..#G\n#####')
+    const { steps } = timelineOf(momentAt(state).shown.tape)
+    const lowest = Array.from(steps, (_, step) =>
+      stepNumbers(momentAt(toStep(state, step))).find(
+        ({ label }) => label === 'Lowest potential to choose from',
+      ),
+    )
+    const told = lowest.map((row) => row?.value)
+    expect(Array.from(new Set(told))).toEqual(['–', '39', '34', 'none'])
+  })
+
   it.each([
     ['bug1', 'Distance to the goal', ['13', '8']],
     ['bug1', 'Least distance on this boundary', ['13', '8']],
