@@ -8,7 +8,7 @@ export const { text, line } = pseudocode({
   loop: '  if the rover was blocked at this place before and has sensed nothing new since: it goes round for ever',
   end: '  end ← of the ends of the sensed obstacle in reach, the one with the least distance rover → end → goal',
   approach: '  go straight to that end',
-  turn: '  turn to the side whose first step is nearer to the goal',
+  turn: '  turn to the side whose first step is nearer to the goal; if both are as near, the obstacle stays on the right',
   followBoundary:
     '  follow the boundary until a free step of the simplest path leads away, with the goal no farther than from the followed obstacle cell',
   depart: '  leave there and start over',
