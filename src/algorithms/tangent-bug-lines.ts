@@ -11,7 +11,8 @@ export const { text, line } = pseudocode({
   turn: '  turn to the side whose first step is nearer to the goal; if both are as near, the obstacle stays on the right',
   followBoundary:
     '  follow the boundary until a free step of the simplest path leads away, with the goal no farther than from the followed obstacle cell',
-  depart: '  leave there and start over',
+  closed: '  if that came round once: it goes round for ever',
+  depart: '  else leave there and start over',
   classic: 'variant classic (Kamon, Rimon and Rivlin):',
   nodes: '  nodes ← the free way to the goal, and the ends of the sensed obstacles',
   target:
