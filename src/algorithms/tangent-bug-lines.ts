@@ -16,7 +16,7 @@ export const { text, line } = pseudocode({
   classic: 'variant classic (Kamon, Rimon and Rivlin):',
   nodes: '  nodes ← the free way to the goal, and the ends of the sensed obstacles',
   target:
-    '  target ← of the nodes nearer to the goal than the start and all targets reached before, the one with the least distance rover → node → goal',
+    '  target ← of the nodes nearer to the goal than the start, all targets reached and all obstacles followed before, the one with the least distance rover → node → goal',
   ahead:
     '  if there is none, but a step of the simplest path to the goal is free: target ← the cell it leads to',
   towards: '  motion to goal: a step towards the target',

@@ -161,10 +161,10 @@ function explainTarget(place: string, tape: Tape, first: number, frame: Frame): 
   if (first > 0 && tape.kind(first - 1) === EVENT.leave)
     return `Head for ${place}, of the places in reach the nearest to the goal.`
   if (!frame.nodes.includes(cell))
-    return `Head for ${place}, the next cell of the simplest path to the goal: the step is free, and no node is nearer to the goal than the start and all targets reached before.`
+    return `Head for ${place}, the next cell of the simplest path to the goal: the step is free, and no node is nearer to the goal than the start, all targets reached and all obstacles followed before.`
   // Nodes of classic Tangent Bug are free, those of the report's are not, and any of them may be chosen.
   if (cell >= 0 && knownOf(frame, cell) === KNOWN.free)
-    return `Head for ${place}: ${count(value, 'step')} over it to the goal, the fewest of the nodes that are nearer to it than the start and all targets reached before.`
+    return `Head for ${place}: ${count(value, 'step')} over it to the goal, the fewest of the nodes that are nearer to it than the start, all targets reached and all obstacles followed before.`
   return `Head for ${place}, of the nodes the one with the shortest way over it to the goal: ${count(value, 'step')}.`
 }
 

@@ -255,7 +255,7 @@ test('classic Tangent Bug says where it heads without a node, and never moves wi
     .slice(1)
     .map((time, i) => explain(tape, steps[i], frameAt(tape, time), []))
   const alone = sentences.indexOf(
-    'Head for (7, 3), the next cell of the simplest path to the goal: the step is free, and no node is nearer to the goal than the start and all targets reached before.',
+    'Head for (7, 3), the next cell of the simplest path to the goal: the step is free, and no node is nearer to the goal than the start, all targets reached and all obstacles followed before.',
   )
   expect(sentences[alone + 1]).toBe('Step to (7, 3): the way is free.')
   const { target, rover } = frameAt(tape, steps[alone + 2])
@@ -274,7 +274,7 @@ test('Tangent Bug says what a node has over the others', () => {
   )
   const classic = told(maps.fig12, 'tangent-bug', { variant: 'classic', range: 2 })
   expect(classic).toContain(
-    'Head for (6, 2): 11 steps over it to the goal, the fewest of the nodes that are nearer to it than the start and all targets reached before.',
+    'Head for (6, 2): 11 steps over it to the goal, the fewest of the nodes that are nearer to it than the start, all targets reached and all obstacles followed before.',
   )
   const left = classic.findIndex((sentence) => sentence.startsWith('Leave'))
   expect(classic[left + 1]).toMatch(
