@@ -19,7 +19,15 @@ export { checkProblem, type Problem } from './grid/problem'
 export type { DiagonalRule } from './grid/steps'
 export { problemFromText, problemToText } from './grid/text-map'
 export { KNOWN, SEARCH } from './trace/cell-state'
-export { EVENT, EVENT_NAMES, type EventKind, STATUSES, type Status } from './trace/events'
+export {
+  EVENT,
+  EVENT_NAMES,
+  type EventKind,
+  LEAVES,
+  type Leave,
+  STATUSES,
+  type Status,
+} from './trace/events'
 export { frameAt } from './trace/fold'
 export { type Frame, isFelt, knownOf, searchOf } from './trace/frame'
 export { Player } from './trace/player'

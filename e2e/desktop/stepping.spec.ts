@@ -42,7 +42,7 @@ function hit(number: number, cell: string, obstacle: string, side: string): stri
 }
 
 function leave(number: number, cell: string): string {
-  return `Leave point ${number} at ${cell}: away from the boundary.`
+  return `Leave point ${number} at ${cell}: a step of the simplest path is free, and the goal no farther than from the obstacle at its side.`
 }
 
 function backOnMLine(number: number, cell: string, index: number): string {

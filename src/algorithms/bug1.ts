@@ -8,7 +8,8 @@ import { pseudocode } from './pseudocode'
 const { text, line } = pseudocode({
   follow: 'follow the simplest path to the goal',
   hit: 'if an obstacle refuses a step: here is a hit point',
-  around: 'go around the obstacle once in full, computing at each step the distance to the goal',
+  around:
+    'go around the obstacle once in full, computing at each step the distance to the goal (if equal, the Euclidean one)',
   unreachable: 'if no cell was nearer to the goal than the hit point: the goal is unreachable',
   back: 'return along the boundary, the shorter way, to the cell nearest to the goal',
   leave: 'leave there and start over',
@@ -79,7 +80,7 @@ export const bug1 = onlinePlanner({
         if (isBackwards) notes.turn(otherSide(params.turn))
         notes.value(HERE, distance(rover.position, goal))
       }
-      notes.at(line.leave).leave()
+      notes.at(line.leave).leave('nearest')
     }
     notes.at(line.reached)
     return { status: 'reached', reason: 'the rover is at the goal' }

@@ -96,7 +96,7 @@ export const bug2 = onlinePlanner({
               }
         }
       } while (!mayLeave(mLineIndex(), hit))
-      if (!isAtGoal()) notes.at(line.leave).leave()
+      if (!isAtGoal()) notes.at(line.leave).leave('m-line')
     }
     notes.at(line.reached)
     return { status: 'reached', reason: 'the rover is at the goal' }

@@ -11,7 +11,7 @@ export const costParam = {
   kind: 'choice',
   choices: ['cells', 'euclidean'],
   default: 'cells',
-  help: 'cells: every step costs 1 (Chebyshev); euclidean: a diagonal step costs √2 (octile).',
+  help: 'cells: every step costs 1 (Chebyshev), and Euclidean length decides between equal paths; euclidean: a diagonal step costs √2 (octile).',
 } as const satisfies ChoiceParam<'cost', Cost>
 
 /**

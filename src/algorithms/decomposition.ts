@@ -18,7 +18,7 @@ const { text, line } = pseudocode({
   graph: 'graph ← the free cells; edges join cells one legal step apart',
   start: 'open the start, with cost 0',
   close:
-    'close the open cell of least cost (a-star, jump-point: cost so far and what is left at least): its way is final; open each neighbour that gets a shorter way over it, except those that its parent reaches as cheaply',
+    'close the open cell of least cost (dijkstra: by its whole part, as no step costs less than 1; a-star, jump-point: cost so far and what is left at least): its way is final; open each neighbour that gets a shorter way over it, except those that its parent reaches as cheaply',
   jump: 'jump-point: instead of a neighbour open the next cell that way where a path has a choice',
   found: 'if it is the goal: follow the parents back to the start',
   none: 'if no cell is open: no path exists',

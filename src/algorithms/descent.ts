@@ -25,7 +25,7 @@ const LOWEST = 1
 
 /** What both planners share of their declarations. */
 export const descentPhases = ['Attraction', 'Repulsion', 'Sum of both', 'Walk'] as const
-export const descentVariables = ['potential here', 'lowest potential of the neighbours'] as const
+export const descentVariables = ['potential here', 'lowest potential to choose from'] as const
 
 type PotentialLines = ReturnType<typeof descentPseudocode>['line']
 
@@ -59,7 +59,7 @@ export function descend(task: Descent): Answer {
   const visited = new Uint8Array(grid.walls.length)
   const path: Cell[] = []
   const visit = (cell: Cell): void => {
-    tape?.at(lines.step).write(EVENT.step, cell, path.at(-1))
+    tape?.write(EVENT.step, cell, path.at(-1))
     tape?.write(EVENT.value, cell, HERE, potential(cell))
     path.push(cell)
     visited[cell] = 1
@@ -76,7 +76,7 @@ export function descend(task: Descent): Answer {
   }
 
   if (tape) recordFields(fields, lines, tape)
-  tape?.at(lines.step).write(EVENT.phase, -1, 3)
+  tape?.at(lines.choose).write(EVENT.phase, -1, 3)
   let here = problem.start
   visit(here)
   while (here !== problem.goal) {
@@ -84,7 +84,7 @@ export function descend(task: Descent): Answer {
     if (next >= 0) {
       tape?.at(lines.choose).write(EVENT.target, next, -1, potential(next))
       tape?.write(EVENT.value, next, LOWEST, potential(next))
-    }
+    } else tape?.write(EVENT.value, here, LOWEST, -1)
     const isStuck = next < 0 || (!memory && potential(next) >= potential(here))
     if (isStuck) {
       tape?.at(lines.stuck)
@@ -99,8 +99,10 @@ export function descend(task: Descent): Answer {
       }
     }
     here = next
+    tape?.at(lines.step)
     visit(here)
   }
+  tape?.at(lines.choose)
   const reason = 'the agent came down to the goal'
   return { status: 'reached', reason, path: Int32Array.from(path), expanded: 0 }
 }

@@ -48,7 +48,10 @@ export function driveClassic(rover: Rover, turn: Turn, notes: DriveNotes): Drive
     }
     // Nothing to steer for, but the way is free: the simplest path gets nearer as well.
     const ahead = simplestStep(rover.position, goal)
-    if (!target && isIn(rover.legalSteps(), ahead)) target = stepped(rover.position, ahead)
+    if (!target && isIn(rover.legalSteps(), ahead)) {
+      target = stepped(rover.position, ahead)
+      notes.at(line.ahead).target(target, distance(rover.position, goal))
+    }
     if (target) {
       notes.at(line.towards)
       goTowards(target)
@@ -67,7 +70,7 @@ export function driveClassic(rover: Rover, turn: Turn, notes: DriveNotes): Drive
       notes.value(D_REACH, distance(reach, goal))
       notes.value(D_FOLLOWED, distance(followed, goal))
       if (far(reach) < far(followed)) {
-        notes.at(line.leave).leave()
+        notes.at(line.leave).leave('place-in-reach')
         bound = far(followed)
         target = reach
         notes.target(reach, wayOver(rover, reach).steps)
@@ -106,7 +109,10 @@ function nearest(
 /** The local tangent graph: the free way to the goal, and the ends of obstacles in reach. */
 function tangentGraph(rover: Rover, square: SensedSquare): Way[] {
   const places = freeWayToGoal(rover)
+  const [onTheWay] = places
   square.placesInReach((place) => {
+    // Where the free way leaves the square may be an end as well.
+    if (onTheWay && isSamePlace(onTheWay, place)) return
     if (isEnd(rover, place)) places.push({ ...place })
   })
   return places.map((place) => wayOver(rover, place))

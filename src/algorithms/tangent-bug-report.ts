@@ -60,7 +60,7 @@ export function driveAsInReport(rover: Rover, notes: DriveNotes): DriveAnswer {
     notes.at(line.followBoundary)
     do {
       if (walk.isAround) {
-        notes.at(line.loop).around(walk.taken.length)
+        notes.at(line.closed).around(walk.taken.length)
         notes.loop(rover.steps - walk.taken.length)
         const reason = `went round the obstacle once, so the state ${afterSteps(rover.steps - walk.taken.length)} came back`
         return { status: 'loop', reason }
@@ -68,7 +68,7 @@ export function driveAsInReport(rover: Rover, notes: DriveNotes): DriveAnswer {
       walk.step()
       noteDistances()
     } while (!isAtGoal() && !mayLeave(rover, walk))
-    if (!isAtGoal()) notes.at(line.depart).leave()
+    if (!isAtGoal()) notes.at(line.depart).leave('free-step')
   }
   notes.at(line.reached)
   return { status: 'reached', reason: 'the rover is at the goal' }

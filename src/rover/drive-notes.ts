@@ -1,6 +1,6 @@
 import { type Direction, stepped } from '../grid/directions'
 import type { Cell, Point } from '../grid/grid'
-import { EVENT } from '../trace/events'
+import { EVENT, LEAVES, type Leave } from '../trace/events'
 import type { Tape } from '../trace/tape'
 import type { Rover } from './rover'
 
@@ -50,8 +50,8 @@ export class DriveNotes {
   }
 
   /** The rover leaves the boundary: the leave point that belongs to the latest hit point. */
-  leave(): void {
-    this.#tape?.write(EVENT.leave, this.#here(), -1, this.#hits)
+  leave(why: Leave): void {
+    this.#tape?.write(EVENT.leave, this.#here(), LEAVES.indexOf(why), this.#hits)
   }
 
   /** The obstacle cell in this direction is kept at the rover's side. */

@@ -54,7 +54,7 @@ export const EVENT = {
   feel: 19,
   /** The rover came round the obstacle once: cell, -, steps of the round. */
   around: 20,
-  /** The rover left the boundary (leave point): cell, -, its number from 1. */
+  /** The rover left the boundary (leave point): cell, its place in LEAVES, its number from 1. */
   leave: 21,
   /** The same state came back: cell, -, the step at which the rover was in it before. */
   loop: 22,
@@ -94,3 +94,12 @@ export const STATUSES = [
 
 /** One of STATUSES. */
 export type Status = (typeof STATUSES)[number]
+
+/**
+ * Why a rover leaves a boundary: it meets the m-line; it is where the boundary is nearest to the goal;
+ * a step of the simplest path is free; or it has a place in reach that is nearer to the goal.
+ */
+export const LEAVES = ['m-line', 'nearest', 'free-step', 'place-in-reach'] as const
+
+/** One of LEAVES. */
+export type Leave = (typeof LEAVES)[number]

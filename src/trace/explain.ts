@@ -1,10 +1,10 @@
-import { type Cell, cellName, pointOf } from '../grid/grid'
+import { type Cell, cellName, isInside, pointOf } from '../grid/grid'
 import { plural } from '../grid/plural'
 import { inThousands } from '../grid/thousands'
 import { KNOWN } from './cell-state'
 import { costAt } from './cost-at'
 import { costLeft } from './cost-left'
-import { EVENT, STATUSES, type Status } from './events'
+import { EVENT, LEAVES, type Leave, STATUSES, type Status } from './events'
 import { type Frame, knownOf } from './frame'
 import { openedBy } from './opened'
 import type { Tape } from './tape'
@@ -18,6 +18,14 @@ const ENDS: Record<Status, string> = {
   'local-minimum': 'a local minimum',
   'dead-end': 'a dead end',
   loop: 'the rover goes round for ever',
+}
+
+const WHY_LEFT: Record<Leave, string> = {
+  'm-line': 'the m-line is met again',
+  nearest: 'of this boundary it is the nearest to the goal',
+  'free-step':
+    'a step of the simplest path is free, and the goal no farther than from the obstacle at its side',
+  'place-in-reach': 'a place in reach is nearer to the goal than the obstacle that was followed',
 }
 
 /**
@@ -81,7 +89,7 @@ export function explain(
         ? `No end of an obstacle is in reach of ${name(cell)}.`
         : `${count(frame.nodes.length, 'node')} in reach of ${name(cell)}.`
     case EVENT.target:
-      return explainTarget(cell < 0 ? 'a place of the border' : name(cell), cell, value, frame)
+      return explainTarget(cell < 0 ? 'a place of the border' : name(cell), tape, first, frame)
     case EVENT.mLine:
       return `The m-line: the simplest path from start to goal, ${count(frame.mLine.length, 'cell')}.`
     case EVENT.hit: {
@@ -94,8 +102,8 @@ export function explain(
       return `Round the obstacle once, in ${count(value, 'step')}, and back at ${name(cell)}.`
     case EVENT.leave: {
       const met = frame.mLine.indexOf(cell)
-      const why = met < 0 ? 'away from the boundary' : `the m-line is met again, at its cell ${met}`
-      return `Leave point ${value} at ${name(cell)}: ${why}.`
+      const where = met < 0 ? '' : `, at its cell ${met}`
+      return `Leave point ${value} at ${name(cell)}: ${WHY_LEFT[LEAVES[other]]}${where}.`
     }
     case EVENT.loop:
       return `Loop: the same place and the same state as after ${count(value, 'step')}, so the rover goes round for ever.`
@@ -122,33 +130,41 @@ function explainStep(
   if (frame.target >= 0)
     return `Step to ${name(cell)}, along the boundary to ${name(frame.target)}.`
   const side = SIDES[frame.turn]
-  return isInTheWay(tape.width, from, cell, frame)
+  return isInTheWay(tape, from, cell, frame)
     ? `Step to ${name(cell)}, where ${name(frame.atSide)} is in the way: it is kept on the ${side} from now on.`
     : `Step to ${name(cell)}, keeping ${name(frame.atSide)} on the ${side}.`
 }
 
 /** Whether the obstacle cell that the rover keeps at its side did not lie there when it came, but ahead. */
-function isInTheWay(width: number, from: Cell, to: Cell, { atSide, turn }: Frame): boolean {
-  if (atSide < 0) return false
-  const [was, is, kept] = [from, to, atSide].map((place) => pointOf(width, place))
-  // Above 0 if it is on the right of the way that the rover came.
-  const side = (is.x - was.x) * (kept.y - is.y) - (is.y - was.y) * (kept.x - is.x)
-  return turn === 0 ? side >= 0 : side <= 0
+function isInTheWay(tape: Tape, from: Cell, to: Cell, { atSide, turn }: Frame): boolean {
+  const [was, is] = [from, to].map((place) => pointOf(tape.width, place))
+  // The way that the rover came, turned to the side at which it keeps obstacles.
+  const hand = turn === 0 ? 1 : -1
+  const dx = hand * (is.y - was.y)
+  const dy = hand * (was.x - is.x)
+  // Which part of the border it is does not stand on the tape; there is some at the side, or none.
+  if (atSide < 0) return isInside(tape, is.x + dx, is.y + dy)
+  const kept = pointOf(tape.width, atSide)
+  return dx * (kept.x - is.x) + dy * (kept.y - is.y) <= 0
 }
 
-function explainTarget(place: string, cell: Cell, value: number, frame: Frame): string {
+function explainTarget(place: string, tape: Tape, first: number, frame: Frame): string {
+  const cell = tape.cell(first)
+  const value = tape.value(first)
   // Whether the agent goes there is for the next step to say.
   if (frame.fields.potential)
     return `The neighbour of lowest potential to choose from is ${place}: ${number(value)}.`
   // Only Bug1 heads for a place while it is at the boundary.
   if (frame.following)
     return `Head back for ${place}, of this boundary the nearest to the goal: distance ${number(value)}.`
-  // Classic Tangent Bug, which has just left a boundary for it.
-  if (frame.nodes.length === 0)
+  // Classic Tangent Bug, which has just left a boundary for it, or finds no node to head for.
+  if (first > 0 && tape.kind(first - 1) === EVENT.leave)
     return `Head for ${place}, of the places in reach the nearest to the goal.`
+  if (!frame.nodes.includes(cell))
+    return `Head for ${place}, the next cell of the simplest path to the goal: the step is free, and no node is nearer to the goal than the start, all targets reached and all obstacles followed before.`
   // Nodes of classic Tangent Bug are free, those of the report's are not, and any of them may be chosen.
   if (cell >= 0 && knownOf(frame, cell) === KNOWN.free)
-    return `Head for ${place}: ${count(value, 'step')} over it to the goal, the fewest of the nodes that are nearer to it than all targets reached before.`
+    return `Head for ${place}: ${count(value, 'step')} over it to the goal, the fewest of the nodes that are nearer to it than the start, all targets reached and all obstacles followed before.`
   return `Head for ${place}, of the nodes the one with the shortest way over it to the goal: ${count(value, 'step')}.`
 }
 

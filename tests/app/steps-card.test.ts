@@ -77,6 +77,27 @@ describe('the section of the pseudocode', () => {
     expect(never).toEqual([])
   })
 
+  it.each([
+    ['potential-field', 'S..G\n....', /^Start|^The end/, /^while not at the goal/],
+    ['potential-field-memory', 'S..G\n....', /^Start|^The end/, /^while not at the goal/],
+    [
+      'tangent-bug',
+      '........\n.S..###.\n....#G#.\n....###.\n........',
+      /^Round|^Loop|^The end/,
+      /if that came round once/,
+    ],
+  ])('of %s on %j is marked at %s by what happens there', (id, text, sentence, line) => {
+    const state = stateOf(id, text)
+    const { steps } = timelineOf(momentAt(state).shown.tape)
+    const moments = Array.from(steps, (_, step) => momentAt(toStep(state, step)))
+    const { pseudocode } = plannerOf(state.setup)
+    const marked = moments
+      .filter((moment) => sentence.test(stepInWords(moment)))
+      .map(({ frame }) => pseudocode[frame.line])
+    expect(marked.length).toBeGreaterThan(1)
+    for (const text of marked) expect(text).toMatch(line)
+  })
+
   it('is that of the chosen variant, and what both have in common', () => {
     const planner = planners.find(({ id }) => id === 'tangent-bug')
     if (!planner) throw new Error('There is no Tangent Bug.')
@@ -175,6 +196,18 @@ describe('the numbers of a step', () => {
     expect(seen).toContain('none')
     expect(seen).toContain('4')
     expect(seen).not.toContain('-1')
+  })
+
+  it('of a field with memory leave out what was visited, and say "none" in a dead end', () => {
+    const state = stateOf('potential-field-memory', 'S..#G\n#####')
+    const { steps } = timelineOf(momentAt(state).shown.tape)
+    const lowest = Array.from(steps, (_, step) =>
+      stepNumbers(momentAt(toStep(state, step))).find(
+        ({ label }) => label === 'Lowest potential to choose from',
+      ),
+    )
+    const told = lowest.map((row) => row?.value)
+    expect(Array.from(new Set(told))).toEqual(['–', '39', '34', 'none'])
   })
 
   it.each([

@@ -111,7 +111,10 @@ const SENTENCES: readonly (readonly [string, ...Written[]])[] = [
     [EVENT.feel, -1],
   ]),
   ['Round the obstacle once, in 12 steps, and back at (4, 5).', [EVENT.around, 54, -1, 12]],
-  ['Leave point 3 at (4, 5): away from the boundary.', [EVENT.leave, 54, -1, 3]],
+  [
+    'Leave point 3 at (4, 5): of this boundary it is the nearest to the goal.',
+    [EVENT.leave, 54, 1, 3],
+  ],
   [
     'Loop: the same place and the same state as after 1 step, so the rover goes round for ever.',
     [EVENT.loop, 54, -1, 1],
@@ -174,6 +177,23 @@ test.each(['left', 'right'])('an obstacle ahead is kept on the %s only from then
   )
 })
 
+test.each(['left', 'right'])('the border ahead is kept on the %s only from then on', (turn) => {
+  const wallToTheBorder = `
+    ....#...
+    S...#..G
+    ....#...
+  `
+  const y = turn === 'left' ? 2 : 0
+  const sentences = told(wallToTheBorder, 'bug2', { turn })
+  const first = sentences.findIndex((sentence) => sentence.startsWith(`Step to (3, ${y})`))
+  expect(sentences.slice(first, first + 4)).toEqual([
+    `Step to (3, ${y}), where the border of the map is in the way: it is kept on the ${turn} from now on.`,
+    `Step to (2, ${y}), keeping the border of the map on the ${turn}.`,
+    `Step to (1, ${y}), keeping the border of the map on the ${turn}.`,
+    `Step to (0, ${y}), keeping the border of the map on the ${turn}.`,
+  ])
+})
+
 test('Bug1 says which cell it goes back to', () => {
   expect(told(maps.fig11, 'bug1')).toContain(
     'Head back for (4, 3), of this boundary the nearest to the goal: distance 3.',
@@ -199,6 +219,25 @@ test('Bug1 has the obstacle on its other side where it goes back the way that it
   expect(turnAt('Step to (2, 6), along the boundary to (4, 3).', 1)).toBe(right)
 })
 
+test.each([
+  ['bug1', {}, 'of this boundary it is the nearest to the goal.'],
+  ['bug2', {}, 'the m-line is met again, at its cell 6.'],
+  [
+    'tangent-bug',
+    { variant: 'report' },
+    'a step of the simplest path is free, and the goal no farther than from the obstacle at its side.',
+  ],
+  [
+    'tangent-bug',
+    { variant: 'classic' },
+    'a place in reach is nearer to the goal than the obstacle that was followed.',
+  ],
+])('%s %o says why it leaves a boundary', (planner, params, why) => {
+  const leaves = told(maps.fig11, planner, params).filter((sentence) => /^Leave/.test(sentence))
+  expect(leaves.length).toBeGreaterThan(0)
+  expect(leaves[0].replace(/^.*\): /, '')).toBe(why)
+})
+
 test('Bug2 says where on its m-line it is again', () => {
   const leaves = told(maps.fig12, 'bug2').filter((sentence) => sentence.startsWith('Leave'))
   expect(leaves).toEqual([
@@ -207,13 +246,35 @@ test('Bug2 says where on its m-line it is again', () => {
   ])
 })
 
+test('classic Tangent Bug says where it heads without a node, and never moves without a target', () => {
+  const tape = new Tape()
+  const problem = problemFromText(maps.fig06)
+  plan(problem, 'tangent-bug', { params: { variant: 'classic', range: 2 }, tape })
+  const steps = Array.from(stepsOf(tape))
+  const sentences = steps
+    .slice(1)
+    .map((time, i) => explain(tape, steps[i], frameAt(tape, time), []))
+  const alone = sentences.indexOf(
+    'Head for (7, 3), the next cell of the simplest path to the goal: the step is free, and no node is nearer to the goal than the start, all targets reached and all obstacles followed before.',
+  )
+  expect(sentences[alone + 1]).toBe('Step to (7, 3): the way is free.')
+  const { target, rover } = frameAt(tape, steps[alone + 2])
+  expect(target).toBe(rover)
+})
+
+test('a node that is an end as well as on the free way is counted once', () => {
+  const classic = { variant: 'classic', range: 1 }
+  const sentences = told('SG\n##', 'tangent-bug', classic)
+  expect(sentences).toContain('1 node in reach of (0, 0).')
+})
+
 test('Tangent Bug says what a node has over the others', () => {
   expect(told(maps.fig11, 'tangent-bug')).toContain(
     'Head for (4, 12), of the nodes the one with the shortest way over it to the goal: 14 steps.',
   )
   const classic = told(maps.fig12, 'tangent-bug', { variant: 'classic', range: 2 })
   expect(classic).toContain(
-    'Head for (6, 2): 11 steps over it to the goal, the fewest of the nodes that are nearer to it than all targets reached before.',
+    'Head for (6, 2): 11 steps over it to the goal, the fewest of the nodes that are nearer to it than the start, all targets reached and all obstacles followed before.',
   )
   const left = classic.findIndex((sentence) => sentence.startsWith('Leave'))
   expect(classic[left + 1]).toMatch(
