@@ -74,10 +74,11 @@ function tell(error: unknown): void {
   process.exitCode = 1
 }
 
-// A reader that has seen enough, such as `head`, ends the run.
+// A reader that has seen enough, such as `head`, ends the run; so does a disk that is full.
 process.stdout.on('error', (error) => {
   if ('code' in error && error.code === 'EPIPE') process.exit(0)
-  throw error
+  tell(error)
+  process.exit()
 })
 
 if (isMainThread) await main().catch(tell)
