@@ -32,13 +32,44 @@ export const status: number = outcome.status
 plan(problemFromText('S.\\n.G'), 'bug1', { param: {} })
 `
 
+/** Its own declarations have to name the types of what the library gives it. */
+const HANDED_ON = `
+import { bug1Bound, frameAt, openResults, plannerById, plannerSettings, readSettings, Tape, testMap } from 'path-planner'
+import type { AnyPlanner, Param } from 'path-planner'
+
+const settings = readSettings('')
+export const { families, planners } = settings
+export const maps = families[0].maps
+export const [chosen] = plannerSettings(settings)
+export const { kind } = testMap(settings, 0)
+export const { size } = kind
+export const { shard, ...origin } = openResults('')
+export const { field, test, refusal, estimate, hits } = frameAt(new Tape(), 0)
+export const { thinning } = new Tape()
+export const turn = (...[, turn]: Parameters<typeof bug1Bound>) => turn
+
+const paramOf = <Kind extends string>(kind: Kind) =>
+  plannerById('bug1').params.find((param): param is Extract<Param, { kind: Kind }> => param.kind === kind)
+export const params = [paramOf('integer'), paramOf('number'), paramOf('choice'), paramOf('boolean')]
+
+const of = <Family extends string>(family: Family) =>
+  plannerById('bug1') as Extract<AnyPlanner, { family: Family }>
+export const offline = of('offline')
+export const online = of('online')
+export const { plan } = offline
+export const { drive, sensor } = online
+type Drive = Parameters<typeof drive>
+export const driven = (...[rover, { notes }]: Drive) => [rover, notes, rover.known(0, 0), rover.legalSteps()]
+`
+
 test.each([
   ['nodenext', 'nodenext'],
   ['esnext', 'bundler'],
 ])('its types are found by a strict program (modules %s, resolution %s)', (module, resolution) => {
   writeFileSync(join(folder, 'program.ts'), PROGRAM)
-  const options = { strict: true, noEmit: true, target: 'es2022', types: [], module }
-  const compilerOptions = { ...options, moduleResolution: resolution }
+  writeFileSync(join(folder, 'handed-on.ts'), HANDED_ON)
+  const options = { strict: true, declaration: true, target: 'es2022', types: [], module }
+  const compilerOptions = { ...options, moduleResolution: resolution, outDir: 'made' }
   writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify({ compilerOptions }))
   const { stdout, status } = spawnSync(process.execPath, [tsc, '-p', folder], { encoding: 'utf8' })
   expect(stdout).toBe('')

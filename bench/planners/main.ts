@@ -1,4 +1,4 @@
-import { InputError } from '../../src/grid/errors'
+import { endWithReader, tell } from '../../src/cli/tell'
 import { readCommand, USAGE } from './command'
 import { benchGenerated } from './run'
 import { benchFiles } from './run-files'
@@ -14,10 +14,9 @@ function main(): boolean {
     : benchGenerated(command)
 }
 
+endWithReader()
 try {
   if (!main()) process.exitCode = 1
 } catch (error) {
-  if (!(error instanceof InputError)) throw error
-  process.stderr.write(`${error.message}\n`)
-  process.exitCode = 1
+  tell(error)
 }

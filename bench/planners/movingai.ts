@@ -1,8 +1,10 @@
 import { readFileSync } from 'node:fs'
 import { basename } from 'node:path'
 import { InputError, messageOf } from '../../src/grid/errors'
+import { fileText } from '../../src/grid/file-text'
 import { readMovingAiMap } from '../../src/grid/formats/movingai'
 import { readScenarios, type Scenario } from '../../src/grid/formats/movingai-scenarios'
+import { isObstacle, placeName } from '../../src/grid/grid'
 import type { BenchMap } from './maps'
 import { ask, searchesOf } from './ours'
 
@@ -31,6 +33,12 @@ export function readScenarioMaps(
       const sizes = `${grid.width} × ${grid.height}, not ${odd.width} × ${odd.height}`
       throw new InputError(`${name} is ${sizes}, as its scenarios say.`)
     }
+    const ends = own.flatMap(({ start, goal }) => [start, goal])
+    const blocked = ends.find(({ x, y }) => isObstacle(grid, x, y))
+    if (blocked) {
+      const place = placeName(blocked)
+      throw new InputError(`${name} has an obstacle at ${place}, where a scenario begins or ends.`)
+    }
     const queries = own.map(({ start, goal }) => ({
       start: start.y * grid.width + start.x,
       goal: goal.y * grid.width + goal.x,
@@ -45,7 +53,7 @@ export function readScenarioMaps(
 
 function inFile<T>(file: string, read: (text: string) => T): T {
   try {
-    return read(readFileSync(file, 'utf8'))
+    return read(fileText(readFileSync(file, 'utf8')))
   } catch (error) {
     throw new InputError(`${file}: ${messageOf(error)}`)
   }

@@ -34,7 +34,7 @@ export interface ChoiceParam<Name extends string = string, Choice extends string
   readonly default: Choice
 }
 
-interface BooleanParam<Name extends string = string> extends Named<Name> {
+export interface BooleanParam<Name extends string = string> extends Named<Name> {
   readonly kind: 'boolean'
   readonly default: boolean
 }

@@ -3,13 +3,13 @@ import { isMainThread } from 'node:worker_threads'
 import { countWork, type ExperimentSettings } from '../experiments/settings'
 import { readSettings } from '../experiments/settings-check'
 import { rangeOfShard } from '../experiments/shards'
-import { InputError } from '../grid/errors'
 import { type Command, readCommand, USAGE } from './command'
 import { whileLocked } from './lock'
 import { mergeShards, readShards } from './merge'
 import { runMaps, serve } from './pool'
 import { Progress } from './progress'
 import { openRowsFile, printRows } from './results-file'
+import { endWithReader, tell } from './tell'
 
 /** As a shell has it for a program that Ctrl-C ended. */
 const INTERRUPTED = 130
@@ -66,19 +66,7 @@ async function runShard(
   process.exitCode = INTERRUPTED
 }
 
-/** Bad input and missing files are told in a sentence; anything else is a bug, told in full. */
-function tell(error: unknown): void {
-  const isPlain = error instanceof InputError || (error instanceof Error && 'syscall' in error)
-  const text = isPlain ? error.message : error instanceof Error ? error.stack : String(error)
-  process.stderr.write(`${text}\n`)
-  process.exitCode = 1
-}
-
-// A reader that has seen enough, such as `head`, ends the run.
-process.stdout.on('error', (error) => {
-  if ('code' in error && error.code === 'EPIPE') process.exit(0)
-  throw error
-})
-
-if (isMainThread) await main().catch(tell)
-else serve()
+if (isMainThread) {
+  endWithReader()
+  await main().catch(tell)
+} else serve()

@@ -21,18 +21,23 @@ export function* linesOf(path: string): Generator<Line, void> {
   try {
     if (!fstatSync(file).isFile()) throw new InputError(`${path} is no file.`)
     const chunk = Buffer.alloc(CHUNK_BYTES)
-    let rest = Buffer.alloc(0)
+    // A line may be as long as all maps of an experiment: its pieces are joined once, at its end.
+    let pieces: Buffer[] = []
     let end = 0
     for (let count = readSync(file, chunk); count > 0; count = readSync(file, chunk)) {
-      const bytes = Buffer.concat([rest, chunk.subarray(0, count)])
+      const bytes = Buffer.from(chunk.subarray(0, count))
       let from = 0
       for (let to = bytes.indexOf(LINE_END); to >= 0; to = bytes.indexOf(LINE_END, from)) {
-        end += to + 1 - from
-        yield { text: bytes.toString('utf8', from, to), end, isWhole: true }
+        const last = bytes.subarray(from, to)
+        const line = pieces.length > 0 ? Buffer.concat([...pieces, last]) : last
+        end += line.length + 1
+        yield { text: line.toString(), end, isWhole: true }
+        pieces = []
         from = to + 1
       }
-      rest = bytes.subarray(from)
+      if (from < count) pieces.push(bytes.subarray(from))
     }
+    const rest = Buffer.concat(pieces)
     if (rest.length > 0) {
       yield { text: rest.toString(), end: end + rest.length, isWhole: false }
     }

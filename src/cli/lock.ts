@@ -31,6 +31,8 @@ export async function whileLocked(path: string | null, work: () => Promise<void>
 }
 
 function isRunning(id: number): boolean {
+  // After a power cut the lock may be empty; 0 and less stand for groups of processes.
+  if (!(id > 0)) return false
   try {
     return process.kill(id, 0)
   } catch (error) {

@@ -76,10 +76,10 @@ export function* resultsFromCsv(text: string): Generator<number, Results, void> 
   const origin = readOrigin(settingsIn(comment))
   const separator = /[,;\t]/.exec(header)?.[0] ?? ','
   const splitLine = lineSplitter(separator)
-  const names = splitLine(header)
+  const names = splitLine(header, 'Line 2')
   const nameOf = (i: number) => `Line ${i + 3}`
   const jsonOf = (line: string, i: number) => {
-    const values = splitLine(line)
+    const values = splitLine(line, nameOf(i))
     if (values.length !== names.length) {
       throw new InputError(
         `${nameOf(i)} has ${values.length} values, but there are ${names.length} columns.`,
@@ -161,19 +161,19 @@ function quoted(value: Value): string {
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text
 }
 
-/** What finds the values in a line that has a comma, a semicolon or a tab between them. */
-function lineSplitter(separator: string): (line: string) => string[] {
+/** What finds the values in a line that has a comma, a semicolon or a tab between them; `name` is its own. */
+function lineSplitter(separator: string): (line: string, name: string) => string[] {
   const part = new RegExp(
     `(?:"((?:[^"]|"")*)"|([^"${separator}][^${separator}]*)?)(${separator}|$)`,
     'y',
   )
-  return (line) => {
+  return (line, name) => {
     const values: string[] = []
     part.lastIndex = 0
     for (let end = separator; end === separator; ) {
       const found = part.exec(line)
       if (!found) {
-        throw new InputError(`This line has a quote that is not closed: ${describe(line)}.`)
+        throw new InputError(`${name} has a quote that is not closed: ${describe(line)}.`)
       }
       values.push(found[1]?.replaceAll('""', '"') ?? found[2] ?? '')
       end = found[3]

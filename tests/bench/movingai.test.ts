@@ -46,6 +46,22 @@ test('files that do not fit together are refused', () => {
   expect(() => readScenarioMaps([right], [])).toThrow('e.map.scen: The map ends in its header')
 })
 
+test.each([
+  ['begins', '1\t1\t3\t2'],
+  ['ends', '0\t0\t2\t1'],
+])('a scenario that %s on an obstacle is refused', (_, ends) => {
+  const map = file('f.map', MAP)
+  const scen = file('f.map.scen', scenarios(`0\tf.map\t4\t3\t${ends}\t5`))
+  expect(() => readScenarioMaps([map], [scen])).toThrow(/f\.map has an obstacle at \([12], 1\)/)
+})
+
+test('both files may begin with a byte order mark', () => {
+  const map = file('g.map', `\uFEFF${MAP}`)
+  const scen = file('g.map.scen', `\uFEFF${scenarios('0\tg.map\t4\t3\t0\t0\t3\t2\t5')}`)
+  const [read] = readScenarioMaps([map], [scen])
+  expect(misstated(read)).toEqual([])
+})
+
 test('a length is as stated if its printed digits are the same', () => {
   const root = Math.SQRT2
   expect(isAsStated(2 + root, 3.41421)).toBe(true)

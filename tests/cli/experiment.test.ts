@@ -10,6 +10,7 @@ import {
   pathOf,
   run,
   runInto,
+  runOnto,
   runUntil,
   settingsFile,
   textOf,
@@ -204,6 +205,15 @@ test('a reader that has seen enough ends a run, and nothing is said of it', () =
   const { stdout, stderr } = runInto('head -n 1', settings, '--workers', '2')
   expect(JSON.parse(stdout).settings).toMatchObject(LONGER)
   expect(stderr).not.toMatch(/EPIPE|error/i)
+})
+
+test.skipIf(!existsSync('/dev/full'))('a full disk ends what is printed, in a sentence', () => {
+  const settings = settingsFile('small.json')
+  run(settings, '--out', 'printed.jsonl')
+  const told = { status: 1, stderr: 'ENOSPC: no space left on device, write\n' }
+  for (const args of [[settings], ['--merge', 'printed.jsonl'], ['--help']]) {
+    expect(runOnto('/dev/full', ...args)).toEqual(told)
+  }
 })
 
 test('what cannot be written ends a run, and of a merge nothing is left', async () => {

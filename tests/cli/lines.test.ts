@@ -1,7 +1,7 @@
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import { afterAll, expect, test } from 'vitest'
+import { afterAll, expect, test, vi } from 'vitest'
 import { linesOf } from '../../src/cli/lines'
 
 const folder = mkdtempSync(join(tmpdir(), 'path-planner-'))
@@ -30,4 +30,15 @@ test('a file of many pieces is put together again, letters of several bytes too'
   expect(lines.map(({ text }) => text)).toEqual(texts)
   const bytes = texts.reduce((sum, text) => sum + Buffer.byteLength(text) + 1, 0)
   expect(lines.at(-1)?.end).toBe(bytes)
+})
+
+test('the pieces of a long line are copied once, however many there are', () => {
+  const bytes = 30 * 2 ** 20
+  writeFileSync(path, Buffer.alloc(bytes, 'a'))
+  const concat = vi.spyOn(Buffer, 'concat')
+  const [{ text }] = linesOf(path)
+  const copied = concat.mock.results.reduce((sum, { value }) => sum + value.length, 0)
+  concat.mockRestore()
+  expect(text.length).toBe(bytes)
+  expect(copied).toBeLessThanOrEqual(2 * bytes)
 })

@@ -26,9 +26,14 @@ test('a file is written to by one at a time, and free again also if that fails',
   expect(readdirSync(folder)).toEqual([])
 })
 
-test('one that was killed keeps nobody from the file', async () => {
-  const { pid } = spawnSync(process.execPath, ['--version'])
-  writeFileSync(`${path}.lock`, String(pid))
+const { pid } = spawnSync(process.execPath, ['--version'])
+
+test.each([
+  ['one that was killed', String(pid)],
+  ['a lock that a power cut left empty', ''],
+  ['a lock that names no process', '-1'],
+])('%s keeps nobody from the file', async (_, left) => {
+  writeFileSync(`${path}.lock`, left)
   await whileLocked(path, async () => expect(await isTaken()).toBe(true))
   expect(readdirSync(folder)).toEqual([])
 })

@@ -1,5 +1,5 @@
 import { spawn, spawnSync } from 'node:child_process'
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { closeSync, mkdtempSync, openSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { build } from 'vite'
@@ -48,6 +48,18 @@ export function runInto(reader: string, ...args: string[]) {
     encoding: 'utf8',
   })
   return { stdout, stderr }
+}
+
+/** Runs the program with its output going to a file or a device. */
+export function runOnto(path: string, ...args: string[]) {
+  const file = openSync(path, 'w')
+  const { status, stderr } = spawnSync(process.execPath, start(args), {
+    cwd: folder,
+    encoding: 'utf8',
+    stdio: ['ignore', file, 'pipe'],
+  })
+  closeSync(file)
+  return { status, stderr }
 }
 
 /** Starts the program and sends it a signal as soon as its output file has so many bytes. */

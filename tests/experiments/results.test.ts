@@ -144,7 +144,7 @@ test('CSV with commas between its values has none in its numbers', () => {
 
 test.each(['"random', '"random"x'])('CSV with a quote that is not closed is told of: %s', (odd) => {
   const text = resultsToCsv(results).replace('\n0,random,', `\n0,${odd},`)
-  expect(() => openResults(text)).toThrow('quote that is not closed')
+  expect(() => openResults(text)).toThrow('Line 3 has a quote that is not closed')
 })
 
 test('CSV of older versions, with the settings as they are, is opened', () => {

@@ -45,7 +45,8 @@ function readLine(line: string, number: number): Scenario {
     if (x < width && y < height) return { x, y }
     throw fail(`the ${name} (${x}, ${y}) is not on the ${width} × ${height} map`)
   }
-  if (!/^\d+(\.\d+)?$/.test(length)) {
+  // With more digits it could be beyond all numbers, and every length would be as stated.
+  if (!/^\d{1,9}(\.\d+)?$/.test(length)) {
     throw fail(`the optimal length must be a number, but is ${describe(length)}`)
   }
   return {

@@ -49,6 +49,10 @@ describe('scenarios', () => {
       `version 1\n${line.replace('6.24', 'x')}`,
       'the optimal length must be a number, but is "x264069".',
     ],
+    [
+      `version 1\n${line.replace('6.24', '9'.repeat(400))}`,
+      'Line 2 of the scenarios: the optimal length must be a number, but is "999',
+    ],
   ])('%j is refused', (text, message) => {
     expect(() => readScenarios(text)).toThrow(InputError)
     expect(() => readScenarios(text)).toThrow(message)
