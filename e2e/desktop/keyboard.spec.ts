@@ -128,3 +128,17 @@ test('the cursor stays in sight on a map that is larger than the screen', async 
   expect(place.y).toBeGreaterThan(0)
   expect(place.y).toBeLessThan(800)
 })
+
+test('the frame that says where the keyboard is comes with the keyboard alone', async ({
+  map,
+  page,
+}) => {
+  const isFramed = () => map.element.evaluate((element) => element.matches(':focus-visible'))
+  await map.click([0, 0])
+  await expect(map.element).toBeFocused()
+  expect(await isFramed()).toBe(false)
+  await page.keyboard.press('Tab')
+  await page.keyboard.press('Shift+Tab')
+  await expect(map.element).toBeFocused()
+  expect(await isFramed()).toBe(true)
+})

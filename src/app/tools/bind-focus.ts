@@ -25,7 +25,8 @@ export function bindFocus(host: HTMLElement, store: Store<State>): () => void {
   })
   return () => {
     isPressed = true
-    host.focus({ preventScroll: true })
+    // Where nothing had the focus before, browsers would take this for the keyboard's.
+    host.focus({ preventScroll: true, focusVisible: false })
     isPressed = false
   }
 }
