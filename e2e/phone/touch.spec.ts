@@ -76,6 +76,35 @@ test('two fingers zoom, and what the first had begun to draw is taken back', asy
   await expect.poll(() => map.view()).toEqual(before)
 })
 
+test('two fingers zoom once where the browser tells of them twice, as Safari does', async ({
+  map,
+  page,
+}) => {
+  await map.element.evaluate((element: HTMLElement) => {
+    let scale = 1
+    element.addEventListener('pointermove', ({ clientX, clientY }) => {
+      scale *= 1.2
+      const event = new MouseEvent('gesturechange', { clientX, clientY })
+      element.dispatchEvent(Object.assign(event, { scale }))
+    })
+  })
+  const { scale } = await map.view()
+  await map.touch(
+    [
+      [3, 2],
+      [2.5, 2],
+      [2, 2],
+    ],
+    [
+      [4, 2],
+      [4.5, 2],
+      [5, 2],
+    ],
+  )
+  await expect.poll(async () => (await map.view()).scale).toBeCloseTo(scale * 3)
+  expect((await drawnRows(page)).join('')).not.toContain('#')
+})
+
 test('two fingers move the map', async ({ map, page }) => {
   const before = await map.view()
   await map.touch(
