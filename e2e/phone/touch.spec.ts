@@ -1,4 +1,11 @@
-import { choosePlanner, drawnRows, expectResult, openMap, plannerSelect } from '../actions'
+import {
+  chooseFromMapMenu,
+  choosePlanner,
+  drawnRows,
+  expectResult,
+  openMap,
+  plannerSelect,
+} from '../actions'
 import { expect, test } from '../fixtures'
 
 const ROWS = `
@@ -166,4 +173,15 @@ test('what explains the comparison stays where the table is moved sideways', asy
   })
   expect(moved).toBe(150)
   expect(await note.boundingBox()).toEqual(before)
+})
+
+test('Safari zooms the page to no field for its small letters', async ({ page }) => {
+  await chooseFromMapMenu(page, 'New…')
+  for (const path of ['index.html', 'experiments.html']) {
+    const sizes = await page
+      .locator('select, input[type=number], input[type=text]')
+      .evaluateAll((fields) => fields.map((field) => parseFloat(getComputedStyle(field).fontSize)))
+    expect(Math.min(...sizes), path).toBeGreaterThanOrEqual(16)
+    await page.goto('experiments.html')
+  }
 })
