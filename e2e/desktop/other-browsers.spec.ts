@@ -25,6 +25,17 @@ test('the styles bring Firefox no rings in place of those that show the focus', 
   }
 })
 
+test('the height of the window is what the bars of a phone’s browser leave of it', async ({
+  page,
+}) => {
+  for (const path of PAGES) {
+    await page.goto(path)
+    const styles = await stylesOf(page)
+    expect(styles).toMatch(/\ddvh\b/)
+    expect(styles).not.toMatch(/\dvh\b/)
+  }
+})
+
 test('Safari zooms the page for no button that is tapped twice', async ({ page }) => {
   for (const path of PAGES) {
     await page.goto(path)
