@@ -166,6 +166,22 @@ test('cards can be moved and folded, and the map lies beside them', async ({ map
   await expect(map.element).toHaveAttribute('data-status', 'reached')
 })
 
+test('no text is selected while a card is moved, as Safari would, and is again afterwards', async ({
+  page,
+}) => {
+  const summary = page.locator('#planner .summary')
+  const canBeSelected = () =>
+    summary.evaluate((element) =>
+      element.dispatchEvent(new Event('selectstart', { bubbles: true, cancelable: true })),
+    )
+  await page.getByRole('heading', { name: 'Planner', exact: true }).hover()
+  await page.mouse.down()
+  await page.mouse.move(700, 300)
+  expect(await canBeSelected()).toBe(false)
+  await page.mouse.up()
+  expect(await canBeSelected()).toBe(true)
+})
+
 test('the playback can be moved and folded, and its buttons stay', async ({ page }) => {
   const bar = playback(page)
   const box = async () => (await bar.boundingBox()) ?? { y: Number.NaN, height: Number.NaN }
