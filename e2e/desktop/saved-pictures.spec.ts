@@ -128,6 +128,20 @@ async function watchRests(page: Page) {
   })
 }
 
+test('both files of a trace are saved where a download has to wait for the one before, as in Safari', async ({
+  page,
+}) => {
+  await page.evaluate(() => {
+    const { click } = HTMLAnchorElement.prototype
+    let timer: ReturnType<typeof setTimeout> | undefined
+    HTMLAnchorElement.prototype.click = function () {
+      clearTimeout(timer)
+      timer = setTimeout(() => click.call(this), 20)
+    }
+  })
+  await save(page, 'Save trace for Posthoc (+ .map)', 2)
+})
+
 for (const { entry, files } of [
   { entry: 'Save', files: 1 },
   { entry: 'Save for MovingAI (.map)', files: 1 },

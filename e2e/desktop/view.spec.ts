@@ -35,6 +35,21 @@ test('a pinch on a touchpad zooms finer', async ({ map, page }) => {
   await expect.poll(async () => (await map.view()).scale).toBeGreaterThan(before.scale * 1.1)
 })
 
+test('a pinch on a touchpad zooms at the pointer where the browser is Safari', async ({ map }) => {
+  const before = await map.view()
+  const place = await map.cell(...AT)
+  const prevented = await map.element.evaluate((element, { x, y }) => {
+    const tell = (type: string, scale: number) => {
+      const event = new MouseEvent(type, { clientX: x, clientY: y, cancelable: true })
+      return !element.dispatchEvent(Object.assign(event, { scale }))
+    }
+    return [tell('gesturestart', 1), tell('gesturechange', 1.2), tell('gesturechange', 1.5)]
+  }, place)
+  expect(prevented, 'else Safari zooms the page').toEqual([true, true, true])
+  await expect.poll(async () => (await map.view()).scale).toBeCloseTo(before.scale * 1.5)
+  expect(distance(await map.cell(...AT), place)).toBeLessThan(1)
+})
+
 test('there is an end to zooming, both ways', async ({ map }) => {
   await map.wheel(AT, -20_000)
   await expect.poll(async () => (await map.view()).scale).toBe(160)
@@ -149,6 +164,22 @@ test('cards can be moved and folded, and the map lies beside them', async ({ map
   await expect(page.getByLabel('Diagonal steps')).toBeHidden()
   await expect(card.getByRole('heading', { name: 'Tangent Bug' })).toBeVisible()
   await expect(map.element).toHaveAttribute('data-status', 'reached')
+})
+
+test('no text is selected while a card is moved, as Safari would, and is again afterwards', async ({
+  page,
+}) => {
+  const summary = page.locator('#planner .summary')
+  const canBeSelected = () =>
+    summary.evaluate((element) =>
+      element.dispatchEvent(new Event('selectstart', { bubbles: true, cancelable: true })),
+    )
+  await page.getByRole('heading', { name: 'Planner', exact: true }).hover()
+  await page.mouse.down()
+  await page.mouse.move(700, 300)
+  expect(await canBeSelected()).toBe(false)
+  await page.mouse.up()
+  expect(await canBeSelected()).toBe(true)
 })
 
 test('the playback can be moved and folded, and its buttons stay', async ({ page }) => {

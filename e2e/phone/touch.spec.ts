@@ -1,4 +1,11 @@
-import { choosePlanner, drawnRows, expectResult, openMap, plannerSelect } from '../actions'
+import {
+  chooseFromMapMenu,
+  choosePlanner,
+  drawnRows,
+  expectResult,
+  openMap,
+  plannerSelect,
+} from '../actions'
 import { expect, test } from '../fixtures'
 
 const ROWS = `
@@ -76,6 +83,35 @@ test('two fingers zoom, and what the first had begun to draw is taken back', asy
   await expect.poll(() => map.view()).toEqual(before)
 })
 
+test('two fingers zoom once where the browser tells of them twice, as Safari does', async ({
+  map,
+  page,
+}) => {
+  await map.element.evaluate((element: HTMLElement) => {
+    let scale = 1
+    element.addEventListener('pointermove', ({ clientX, clientY }) => {
+      scale *= 1.2
+      const event = new MouseEvent('gesturechange', { clientX, clientY })
+      element.dispatchEvent(Object.assign(event, { scale }))
+    })
+  })
+  const { scale } = await map.view()
+  await map.touch(
+    [
+      [3, 2],
+      [2.5, 2],
+      [2, 2],
+    ],
+    [
+      [4, 2],
+      [4.5, 2],
+      [5, 2],
+    ],
+  )
+  await expect.poll(async () => (await map.view()).scale).toBeCloseTo(scale * 3)
+  expect((await drawnRows(page)).join('')).not.toContain('#')
+})
+
 test('two fingers move the map', async ({ map, page }) => {
   const before = await map.view()
   await map.touch(
@@ -137,4 +173,15 @@ test('what explains the comparison stays where the table is moved sideways', asy
   })
   expect(moved).toBe(150)
   expect(await note.boundingBox()).toEqual(before)
+})
+
+test('Safari zooms the page to no field for its small letters', async ({ page }) => {
+  await chooseFromMapMenu(page, 'New…')
+  for (const path of ['index.html', 'experiments.html']) {
+    const sizes = await page
+      .locator('select, input[type=number], input[type=text]')
+      .evaluateAll((fields) => fields.map((field) => parseFloat(getComputedStyle(field).fontSize)))
+    expect(Math.min(...sizes), path).toBeGreaterThanOrEqual(16)
+    await page.goto('experiments.html')
+  }
 })

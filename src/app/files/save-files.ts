@@ -12,6 +12,14 @@ export interface Saved {
   readonly missing?: string
 }
 
+/** After less, Safari may still be looking at a download, and drop it for the next one. */
+const BETWEEN_DOWNLOADS_MS = 500
+
+const pause = (milliseconds: number) =>
+  new Promise<void>((resolve) => {
+    setTimeout(resolve, milliseconds)
+  })
+
 /**
  * Saves files that may take long to be made. If that fails, a message says so.
  * @returns those that were saved
@@ -22,7 +30,8 @@ export async function saveFiles<State extends WithMessages>(
 ): Promise<readonly Saved[]> {
   try {
     const files = await showWork(store, 'Saving…', make)
-    for (const { name, content, missing } of files ?? []) {
+    for (const [i, { name, content, missing }] of (files ?? []).entries()) {
+      if (i > 0) await pause(BETWEEN_DOWNLOADS_MS)
       download(content, typeOf(name), name)
       if (missing) store.update((state) => tell(state, 'note', missing))
     }

@@ -130,6 +130,10 @@ export class Cards {
       this.#moveBy(card, event.clientX - last.x, event.clientY - last.y)
       last = { x: event.clientX, y: event.clientY }
     })
+    // Safari selects the text that a quick pointer runs over, even if no text can be selected in the header.
+    document.addEventListener('selectstart', (event) => {
+      if (last) event.preventDefault()
+    })
     const end = () => {
       if (last) this.#changed(true)
       last = null

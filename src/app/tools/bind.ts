@@ -1,6 +1,7 @@
 import type { State } from '../state/state'
 import type { Store } from '../state/store'
 import { bindFocus } from './bind-focus'
+import { bindGesture } from './bind-gesture'
 import { bindKeys } from './bind-keys'
 import { bindPointer } from './bind-pointer'
 import { Hand } from './hand'
@@ -10,5 +11,6 @@ export function bindInput(host: HTMLElement, store: Store<State>, openHelp: () =
   const hand = new Hand(store)
   host.tabIndex = 0
   bindPointer(host, store, hand, bindFocus(host, store))
+  bindGesture(host, store, hand)
   bindKeys(host, store, hand, openHelp)
 }
