@@ -1,3 +1,4 @@
+import type { Locator } from '@playwright/test'
 import {
   chooseFromMapMenu,
   choosePlanner,
@@ -158,6 +159,22 @@ test('nothing sticks out of the screen', async ({ map, page }) => {
   expect(top + scale * height).toBeLessThanOrEqual(844)
   for (const name of ['Map', 'Undo', 'Redo', 'Zoom in', 'Zoom out', 'Help and keys']) {
     await expect(page.getByRole('button', { name, exact: true })).toBeInViewport({ ratio: 1 })
+  }
+})
+
+test('on a narrow phone, too, speed and view stay beside what they belong to', async ({ page }) => {
+  await choosePlanner(page, 'Bug2')
+  await page.setViewportSize({ width: 360, height: 740 })
+  const middleOf = async (part: Locator) => {
+    const box = await part.boundingBox()
+    return box ? box.y + box.height / 2 : Number.NaN
+  }
+  const rows: [Locator, Locator][] = [
+    [page.getByLabel('Speed'), page.getByRole('button', { name: 'To the beginning' })],
+    [page.getByLabel("Rover's view"), page.getByText(/^Step \d+ of/)],
+  ]
+  for (const [field, mate] of rows) {
+    expect(Math.abs((await middleOf(field)) - (await middleOf(mate)))).toBeLessThan(6)
   }
 })
 
