@@ -191,3 +191,31 @@ test('on the smallest phone nothing has to be moved sideways', async ({ page }) 
     await page.keyboard.press('Escape')
   }
 })
+
+for (const { width, rows } of [
+  { width: 768, rows: 1 },
+  { width: 641, rows: 2 },
+]) {
+  test(`in a window ${width} pixels wide the buttons of the steps take ${rows} of its rows`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width, height: 1000 })
+    const bar = playback(page)
+    const names = [
+      'Move the bar of steps',
+      'To the beginning',
+      'To the end',
+      'Fold the bar of steps',
+    ]
+    const parts = [
+      ...names.map((name) => bar.getByRole('button', { name })),
+      bar.getByLabel('Speed'),
+    ]
+    const boxes = await Promise.all(parts.map((part) => part.boundingBox()))
+    // They differ in height: those whose middles are close stand in one row.
+    const middles = boxes.map((box) =>
+      box ? Math.round((box.y + box.height / 2) / 10) : Number.NaN,
+    )
+    expect(new Set(middles).size).toBe(rows)
+  })
+}
