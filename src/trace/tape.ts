@@ -94,9 +94,10 @@ export class Tape {
     return (this.#chunk << CHUNK_BITS) + this.#used
   }
 
-  // What is written in the event of a number from 0 up to the length. One of EVENT:
-  kind(event: number): number {
-    return this.#chunks[event >> CHUNK_BITS][(event & PLACE) * EVENT_WORDS] & 255
+  // What is written in the event of a number from 0 up to the length.
+  kind(event: number): EventKind {
+    const word = this.#chunks[event >> CHUNK_BITS][(event & PLACE) * EVENT_WORDS]
+    return (word & 255) as EventKind
   }
 
   /** Line of the planner's pseudocode, counted from 0. */
