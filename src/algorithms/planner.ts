@@ -92,19 +92,16 @@ type Described<Params extends readonly Param[]> = Omit<
   optimal(params: ValuesOf<Params>, diagonal: DiagonalRule): boolean
 }
 
+/** What a planner has of the properties that it need not declare. */
+const UNLESS_DECLARED = { usesSeed: false, variables: [], phases: [] } as const
+
 /** Declares an offline planner; inside it the parameters have the types that it declares. */
 export function offlinePlanner<const Params extends readonly Param[]>(
   planner: Described<Params> & {
     plan(problem: Problem, context: Context<ValuesOf<Params>>): Answer
   },
 ): OfflinePlanner {
-  return {
-    family: 'offline',
-    usesSeed: false,
-    variables: [],
-    phases: [],
-    ...planner,
-  } as OfflinePlanner
+  return { family: 'offline', ...UNLESS_DECLARED, ...planner } as OfflinePlanner
 }
 
 /** Declares an online planner; inside it the parameters have the types that it declares. */
@@ -114,11 +111,5 @@ export function onlinePlanner<const Params extends readonly Param[]>(
     drive(rover: Rover, context: DriveContext<ValuesOf<Params>>): DriveAnswer
   },
 ): OnlinePlanner {
-  return {
-    family: 'online',
-    usesSeed: false,
-    variables: [],
-    phases: [],
-    ...planner,
-  } as OnlinePlanner
+  return { family: 'online', ...UNLESS_DECLARED, ...planner } as OnlinePlanner
 }

@@ -6,7 +6,6 @@ import { simplestPathCost, simplestStep } from '../grid/simplest-path'
 import { EVENT } from '../trace/events'
 import type { Tape } from '../trace/tape'
 import { type Cost, diagonalCost } from './costs'
-import type { Roadmap } from './roadmap'
 import type { Outward } from './sight/rays'
 import type { Sight } from './sight/sight'
 
@@ -28,7 +27,7 @@ const DONE = 3
  * path from the first one is refused; on huge ones the tape is cut.
  */
 export function recordEdges(
-  { vertices }: Roadmap,
+  vertices: Int32Array,
   sight: Sight,
   problem: Problem,
   cost: Cost,

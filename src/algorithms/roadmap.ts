@@ -70,7 +70,7 @@ export function searchRoadmap(roadmap: Roadmap, task: Task): Answer {
   const recording = tape ? 0.5 : 0
   if (tape) {
     const share = (done: number) => progress(recording * done)
-    recordEdges(roadmap, sight, problem, cost, tape.at(lines.edges), share)
+    recordEdges(vertices, sight, problem, cost, tape.at(lines.edges), share)
   }
   tape?.at(lines.open).write(EVENT.phase, -1, 2)
   const isStarred = search === 'a-star'

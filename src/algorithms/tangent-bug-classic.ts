@@ -1,6 +1,6 @@
 import { type Direction, DX, DY, stepped } from '../grid/directions'
 import { isSamePlace, type Point, placeName } from '../grid/grid'
-import { distance, farness, simplestStep } from '../grid/simplest-path'
+import { distance, farness, placeOnSimplestPath, simplestStep } from '../grid/simplest-path'
 import type { DriveNotes } from '../rover/drive-notes'
 import type { Rover } from '../rover/rover'
 import { boxedIn, hitObstacle, isIn, type Turn } from './boundary'
@@ -129,10 +129,8 @@ function bestBelow(bound: number, nodes: readonly Way[], goal: Point): Way | und
 function freeWayToGoal(rover: Rover): Point[] {
   const { position, goal, range } = rover
   const steps = Math.min(range, distance(position, goal))
-  if (freeSteps(rover, goal, steps) < steps) return []
-  let place = position
-  for (let i = 0; i < steps; i++) place = stepped(place, simplestStep(place, goal))
-  return [place]
+  const isFree = freeSteps(rover, goal, steps) === steps
+  return isFree ? [placeOnSimplestPath(position, goal, steps)] : []
 }
 
 /**

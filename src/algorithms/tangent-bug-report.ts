@@ -1,6 +1,6 @@
 import { DX, DY, stepped } from '../grid/directions'
 import { isSamePlace, type Point, placeName } from '../grid/grid'
-import { distance, simplestStep } from '../grid/simplest-path'
+import { distance, placeOnSimplestPath, simplestStep } from '../grid/simplest-path'
 import { DriveNotes } from '../rover/drive-notes'
 import type { Rover } from '../rover/rover'
 import { afterSteps, BoundaryWalk, boxedIn, isIn, obstacleInTheWay, type Turn } from './boundary'
@@ -79,8 +79,7 @@ function obstacleWithinRange(rover: Rover): Point | undefined {
   const { goal, range } = rover
   const free = freeSteps(rover, goal, range)
   if (free === Math.min(range, distance(rover.position, goal))) return undefined
-  let place = rover.position
-  for (let i = 0; i < free; i++) place = stepped(place, simplestStep(place, goal))
+  const place = placeOnSimplestPath(rover.position, goal, free)
   const ahead = simplestStep(place, goal)
   // Maybe it is only not known to be legal, because of cells out of sight: that is no obstacle yet.
   if (!isIn(rover.refusedSteps(place), ahead)) return undefined

@@ -1,6 +1,6 @@
 import * as Plot from '@observablehq/plot'
 import type { Box, Chart } from './chart'
-import type { Drawing } from './draw'
+import type { Drawing } from './drawing'
 import { asButtons } from './marks'
 import { seriesStyle } from './style'
 

@@ -1,6 +1,6 @@
 import * as Plot from '@observablehq/plot'
 import type { Chart } from './chart'
-import type { Drawing } from './draw'
+import type { Drawing } from './drawing'
 import { asButtons } from './marks'
 import { percent } from './words'
 

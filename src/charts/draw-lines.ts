@@ -1,6 +1,6 @@
 import * as Plot from '@observablehq/plot'
 import type { Axis, Chart, Mark } from './chart'
-import type { Drawing } from './draw'
+import type { Drawing } from './drawing'
 import { frameOf, logTicks, type Range } from './log-axis'
 import { asButtons } from './marks'
 import { seriesStyle } from './style'

@@ -3,17 +3,7 @@ import type { Chart } from './chart'
 import { boxesOptions } from './draw-boxes'
 import { cellsOptions } from './draw-cells'
 import { linesOptions } from './draw-lines'
-import type { ChartTheme } from './style'
-
-export interface Drawing {
-  /** In pixels. */
-  readonly width: number
-  readonly theme: ChartTheme
-  /** Whether a series is drawn. */
-  isShown(name: string): boolean
-  /** Makes the elements; that of the page if it is not given. */
-  readonly document?: Document
-}
+import type { Drawing } from './drawing'
 
 const FONTS = 'system-ui, sans-serif'
 

@@ -1,5 +1,6 @@
 import type { Chart } from './chart'
-import { type Drawing, drawChart } from './draw'
+import { drawChart } from './draw'
+import type { Drawing } from './drawing'
 import { drawSwatch, SWATCH_HEIGHT, SWATCH_WIDTH } from './legend'
 
 const SVG = 'http://www.w3.org/2000/svg'

@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs'
 import { isMainThread } from 'node:worker_threads'
-import { countWork, type ExperimentSettings } from '../experiments/settings'
+import { mapsOf } from '../experiments/results'
+import type { ExperimentSettings } from '../experiments/settings'
 import { readSettings } from '../experiments/settings-check'
-import { rangeOfShard } from '../experiments/shards'
 import { type Command, readCommand, USAGE } from './command'
 import { whileLocked } from './lock'
 import { mergeShards, readShards } from './merge'
@@ -40,7 +40,7 @@ async function runShard(
 ): Promise<void> {
   const origin = { settings, shard }
   const writer = out === null ? printRows(origin) : openRowsFile(out, origin)
-  const { first, end } = rangeOfShard(shard, countWork(settings).maps)
+  const { first, end } = mapsOf(origin)
   const maps = { first: writer.next, end }
   if (out !== null && maps.first === end) {
     process.stderr.write(`${out} is complete: nothing is left to run.\n`)

@@ -1,7 +1,6 @@
-import type { Origin } from '../experiments/results'
+import { mapsOf, type Origin } from '../experiments/results'
 import { parseLine } from '../experiments/results-json'
 import { countWork } from '../experiments/settings'
-import { rangeOfShard } from '../experiments/shards'
 import { InputError } from '../grid/errors'
 import type { Line } from './lines'
 
@@ -28,12 +27,12 @@ export function inFile<T>(path: string, read: () => T): T {
  */
 export function mapsThere(
   path: string,
-  { settings, shard }: Origin,
+  origin: Origin,
   header: Line,
   lines: Iterable<Line>,
 ): MapsThere {
-  const work = countWork(settings)
-  const maps = rangeOfShard(shard, work.maps)
+  const maps = mapsOf(origin)
+  const { settings } = countWork(origin.settings)
   let { end } = header
   let next = maps.first
   let setting = 0
@@ -47,7 +46,7 @@ export function mapsThere(
         `${path} is damaged: line ${number} is not the row that should stand there.`,
       )
     }
-    if (++setting < work.settings) continue
+    if (++setting < settings) continue
     setting = 0
     next++
     end = line.end

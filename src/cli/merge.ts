@@ -1,9 +1,8 @@
 import { createReadStream, createWriteStream, renameSync, rmSync } from 'node:fs'
 import { pipeline } from 'node:stream/promises'
-import { type Origin, readOrigin } from '../experiments/results'
+import { mapsOf, type Origin, readOrigin } from '../experiments/results'
 import { originToLine, parseLine } from '../experiments/results-json'
-import { countWork } from '../experiments/settings'
-import { rangeOfShard, WHOLE } from '../experiments/shards'
+import { WHOLE } from '../experiments/shards'
 import { InputError } from '../grid/errors'
 import { linesOf } from './lines'
 import { inFile, mapsThere } from './maps-there'
@@ -60,7 +59,7 @@ function readShardFile(path: string): ShardFile {
   if (done) throw new InputError(`${path} is empty.`)
   const origin = inFile(path, () => readOrigin(parseLine(header.text, 1)))
   const { next, end } = mapsThere(path, origin, header, lines)
-  const maps = rangeOfShard(origin.shard, countWork(origin.settings).maps)
+  const maps = mapsOf(origin)
   if (next < maps.end) {
     throw new InputError(
       `${path} is not complete: ${maps.end - next} of its ${maps.end - maps.first} maps are missing. Run it again to go on.`,

@@ -1,8 +1,6 @@
 import { closeSync, existsSync, ftruncateSync, openSync, writeSync } from 'node:fs'
-import { type Origin, readOrigin } from '../experiments/results'
+import { mapsOf, type Origin, readOrigin } from '../experiments/results'
 import { originToLine, parseLine } from '../experiments/results-json'
-import { countWork } from '../experiments/settings'
-import { rangeOfShard } from '../experiments/shards'
 import { InputError } from '../grid/errors'
 import { linesOf } from './lines'
 import { type MapsThere, mapsThere } from './maps-there'
@@ -18,7 +16,7 @@ export interface RowsWriter {
 /** Writes to the standard output. */
 export function printRows(origin: Origin): RowsWriter {
   process.stdout.write(`${originToLine(origin)}\n`)
-  const { first } = rangeOfShard(origin.shard, countWork(origin.settings).maps)
+  const { first } = mapsOf(origin)
   return { next: first, write: (lines) => void process.stdout.write(lines), close() {} }
 }
 
@@ -47,9 +45,10 @@ export function openRowsFile(path: string, origin: Origin): RowsWriter {
 
 /** What is in the file, if it is there and is about the same. */
 function whatIsThere(path: string, origin: Origin): MapsThere {
-  const { first } = rangeOfShard(origin.shard, countWork(origin.settings).maps)
   const there = headerThere(path, origin)
-  return there ? mapsThere(path, origin, there.header, there.lines) : { next: first, end: 0 }
+  return there
+    ? mapsThere(path, origin, there.header, there.lines)
+    : { next: mapsOf(origin).first, end: 0 }
 }
 
 /**

@@ -65,17 +65,16 @@ export function influenceSection(evidence: Evidence): Section {
   const maps = [SIMPLE, MEMORY].flatMap((planner) =>
     fieldMaps(select(evidence, planner).filter(({ params }) => params.influence !== 0)),
   )
-  const told = maps.map((map) => {
-    const rates = map.cells.flat().map((success) => success?.rate ?? Number.NaN)
-    const off = successOf(select(evidence, map.planner, { influence: 0 }))
-    return `${titleOf(map)}: from ${percent(Math.min(...rates))} to ${percent(Math.max(...rates))}, and ${percent(off.rate)} without repulsion`
+  const ranges = maps.map(({ cells }) => {
+    const rates = cells.flat().map((success) => success?.rate ?? Number.NaN)
+    return { least: Math.min(...rates), greatest: Math.max(...rates) }
   })
-  const spread = Math.max(
-    ...maps.map(({ cells }) => {
-      const rates = cells.flat().map((success) => success?.rate ?? Number.NaN)
-      return Math.max(...rates) - Math.min(...rates)
-    }),
-  )
+  const told = maps.map((map, i) => {
+    const { least, greatest } = ranges[i]
+    const off = successOf(select(evidence, map.planner, { influence: 0 }))
+    return `${titleOf(map)}: from ${percent(least)} to ${percent(greatest)}, and ${percent(off.rate)} without repulsion`
+  })
+  const spread = Math.max(...ranges.map(({ least, greatest }) => greatest - least))
   return {
     title: 'Repulsive value and influence',
     claim:

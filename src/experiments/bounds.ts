@@ -61,18 +61,19 @@ export function bug1Bound(problem: Problem, turn: Turn): LengthBound {
   const legal = allLegalSteps(grid, problem.diagonal)
   const far = (cell: Cell) => farness(pointOf(grid.width, cell), pointOf(grid.width, goal))
   const obstacles: ObstacleShare[] = []
-  let ring: number | null = null
+  let before: number | null = null
   for (let left = start; ; ) {
     const hit = firstRefusal(problem, legal, left)
     if (hit === goal) break
     const round = roundFrom(problem, hit, turn)
     const perimeter = round.length - 1
-    if (hit === left && ringOf(grid, round) === ring) {
+    const ring = ringOf(grid, round)
+    if (hit === left && ring === before) {
       const last = obstacles.pop()
       if (last) obstacles.push({ ...last, rounds: 2.5 })
       break
     }
-    ring = ringOf(grid, round)
+    before = ring
     obstacles.push({ hit, perimeter, rounds: 1.5 })
     left = round.reduce((nearest, cell) => (far(cell) < far(nearest) ? cell : nearest))
     // Met on the way round, or nothing is nearer and the goal is unreachable.

@@ -2,9 +2,9 @@ import * as v from 'valibot'
 import { InputError } from '../grid/errors'
 import { describe } from '../grid/excerpt'
 import type { Row } from './row'
-import type { ExperimentSettings } from './settings'
+import { countWork, type ExperimentSettings } from './settings'
 import { checkSettings } from './settings-check'
-import { type Shard, WHOLE } from './shards'
+import { type MapRange, rangeOfShard, type Shard, WHOLE } from './shards'
 
 /** The name and the version that results files carry. */
 export const RESULTS_FORMAT = 'path-planner-results'
@@ -16,6 +16,10 @@ export interface Origin {
   /** Which part of the maps the rows are about; the whole experiment is 1 of 1. */
   readonly shard: Shard
 }
+
+/** The maps that the rows are about. */
+export const mapsOf = ({ settings, shard }: Origin): MapRange =>
+  rangeOfShard(shard, countWork(settings).maps)
 
 /** What a results file holds. */
 export interface Results extends Origin {

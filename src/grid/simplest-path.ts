@@ -1,5 +1,5 @@
 import { type Direction, DX, DY, directionOf } from './directions'
-import type { Cell, Point } from './grid'
+import { type Cell, isSamePlace, type Point } from './grid'
 
 /**
  * The simplest path (the report's "dummy path") goes diagonally while both axes differ and then
@@ -62,9 +62,14 @@ export function simplestPath(width: number, from: Cell, to: Cell): Int32Array {
   return cells
 }
 
+/** The place after so many steps of the simplest path; `to` if it has no more. */
+export function placeOnSimplestPath(from: Point, to: Point, steps: number): Point {
+  const along = (a: number, b: number) => a + Math.sign(b - a) * Math.min(steps, Math.abs(b - a))
+  return { x: along(from.x, to.x), y: along(from.y, to.y) }
+}
+
 /** Which cell of the simplest path from `from` to `to` the point is, counted from 0; -1 if none. */
 export function indexOnSimplestPath(from: Point, to: Point, point: Point): number {
   const i = distance(from, point)
-  const along = (a: number, b: number) => a + Math.sign(b - a) * Math.min(i, Math.abs(b - a))
-  return point.x === along(from.x, to.x) && point.y === along(from.y, to.y) ? i : -1
+  return isSamePlace(point, placeOnSimplestPath(from, to, i)) ? i : -1
 }

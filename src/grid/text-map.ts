@@ -70,9 +70,6 @@ function* rowsOf(signs: Uint8Array, { width }: Grid): Generator<string, void, vo
 export const rowByRow = (grid: Grid, obstacle = '#'): Generator<string, void, void> =>
   rowsOf(signs(grid, obstacle.charCodeAt(0)), grid)
 
-/** All rows of a map, `.` free, `#` obstacle. */
-export const gridToRows = (grid: Grid): string[] => [...rowByRow(grid)]
-
 /**
  * A map from its rows, `#` obstacle and `.` free.
  * @throws InputError that names the row or the cell that is wrong.

@@ -11,11 +11,3 @@ export function runFor(work: Work<unknown>, isTimeUp: () => boolean): boolean {
   } while (!isTimeUp())
   return false
 }
-
-/** The result of work that may take as long as it likes. */
-export function runToEnd<Result>(work: Work<Result>): Result {
-  for (;;) {
-    const step = work.next()
-    if (step.done) return step.value
-  }
-}

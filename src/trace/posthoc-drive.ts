@@ -1,5 +1,5 @@
 import type { Cell } from '../grid/grid'
-import { EVENT } from './events'
+import { EVENT, type EventKind } from './events'
 import type { PosthocLines } from './posthoc-lines'
 
 /**
@@ -22,7 +22,7 @@ export class PosthocDrive {
     return this.#steps > 0
   }
 
-  write(kind: number, cell: Cell, other: number, value: number): void {
+  write(kind: EventKind, cell: Cell, other: number, value: number): void {
     const lines = this.#lines
     const step = this.#steps > 0 ? `step ${this.#steps - 1}` : null
     switch (kind) {

@@ -1,5 +1,5 @@
 import type { Cell } from '../grid/grid'
-import { EVENT } from './events'
+import { EVENT, type EventKind } from './events'
 import type { PosthocLines } from './posthoc-lines'
 
 /**
@@ -28,13 +28,13 @@ export class PosthocSearch {
   }
 
   /** Closes the cell that was expanded, before an event that is none of its expansion. */
-  before(kind: number): void {
+  before(kind: EventKind): void {
     if (this.#expanding < 0 || kind === EVENT.open) return
     this.#searched('closing', this.#expanding)
     this.#expanding = -1
   }
 
-  write(kind: number, cell: Cell, other: number, value: number): void {
+  write(kind: EventKind, cell: Cell, other: number, value: number): void {
     switch (kind) {
       case EVENT.row:
         // No cell's event: it would make a root of each row's first cell.

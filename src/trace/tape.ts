@@ -94,9 +94,10 @@ export class Tape {
     return (this.#chunk << CHUNK_BITS) + this.#used
   }
 
-  // What is written in the event of a number from 0 up to the length. One of EVENT:
-  kind(event: number): number {
-    return this.#chunks[event >> CHUNK_BITS][(event & PLACE) * EVENT_WORDS] & 255
+  // What is written in the event of a number from 0 up to the length.
+  kind(event: number): EventKind {
+    const word = this.#chunks[event >> CHUNK_BITS][(event & PLACE) * EVENT_WORDS]
+    return (word & 255) as EventKind
   }
 
   /** Line of the planner's pseudocode, counted from 0. */
@@ -160,7 +161,7 @@ export class Tape {
     words[i * EVENT_WORDS] = (cell << 8) | kind
     words[i * EVENT_WORDS + 1] = (other << 8) | line
     if (i < this.#values.length) this.#values[i] = value
-    else if (value !== 0) this.#setValue(this.length, value)
+    else if (value !== 0) this.#makeRoomForValues()[i] = value
     this.#used = i + 1
   }
 
@@ -187,18 +188,13 @@ export class Tape {
     }
   }
 
-  #setValue(event: number, value: number): void {
-    const chunk = event >> CHUNK_BITS
-    const place = event & PLACE
-    const before = this.#chunkValues[chunk]
-    if (place < before.length) before[place] = value
-    else if (value !== 0) {
-      const values = new Float64Array(this.#chunks[chunk].length / EVENT_WORDS)
-      values.set(before)
-      values[place] = value
-      this.#chunkValues[chunk] = values
-      if (chunk === this.#chunk) this.#values = values
-    }
+  /** Room for the values of the chunk that is written on, which were all 0. */
+  #makeRoomForValues(): Float64Array<ArrayBuffer> {
+    const values = new Float64Array(this.#words.length / EVENT_WORDS)
+    values.set(this.#values)
+    this.#values = values
+    this.#chunkValues[this.#chunk] = values
+    return values
   }
 
   /** Whether an event of this kind is to be written; if so, there is room for it then. */
@@ -240,30 +236,20 @@ export class Tape {
   }
 
   #leaveOutMore(): void {
+    const { length } = this
     if (this.thinning === 'whole') {
       this.thinning = 'thinned'
-      this.#goTo(this.#dropped(LEFT_OUT.thinned))
+      this.#goTo(0)
+      // Written anew, without what is left out now; no event gets behind where it was.
+      for (let i = 0; i < length; i++) {
+        const kind = this.kind(i)
+        if (LEFT_OUT.thinned[kind]) continue
+        this.writeAt(this.line(i), kind, this.cell(i), this.other(i), this.value(i))
+      }
     } else {
       this.thinning = 'cut'
       // Room for the one event that is still to come, the end.
-      this.#goTo(this.length - 1)
+      this.#goTo(length - 1)
     }
-  }
-
-  /** Moves the events that are kept together; returns how many they are. */
-  #dropped(leftOut: Uint8Array): number {
-    const { length } = this
-    let kept = 0
-    for (let i = 0; i < length; i++) {
-      if (leftOut[this.kind(i)]) continue
-      const from = (i & PLACE) * EVENT_WORDS
-      const to = (kept & PLACE) * EVENT_WORDS
-      const source = this.#chunks[i >> CHUNK_BITS]
-      const target = this.#chunks[kept >> CHUNK_BITS]
-      for (let word = 0; word < EVENT_WORDS; word++) target[to + word] = source[from + word]
-      this.#setValue(kept, this.value(i))
-      kept++
-    }
-    return kept
   }
 }

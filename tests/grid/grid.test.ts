@@ -9,17 +9,17 @@ import {
   resized,
   withCells,
 } from '../../src/grid/grid'
-import { gridToRows } from '../../src/grid/text-map'
+import { rowByRow } from '../../src/grid/text-map'
 import { grids } from './arbitraries'
 
 test('an empty map is free everywhere', () => {
-  expect(gridToRows(emptyGrid(3, 2))).toEqual(['...', '...'])
+  expect([...rowByRow(emptyGrid(3, 2))]).toEqual(['...', '...'])
 })
 
 test('inside are exactly the cells of the map, and all outside is obstacle', () => {
   fc.assert(
     fc.property(grids, (grid) => {
-      const rows = gridToRows(grid)
+      const rows = [...rowByRow(grid)]
       for (let y = -2; y < grid.height + 2; y++) {
         for (let x = -2; x < grid.width + 2; x++) {
           const sign = rows[y]?.[x]
@@ -40,13 +40,13 @@ describe('withCells', () => {
   const grid = { width: 3, height: 2, walls: Uint8Array.of(0, 1, 0, 0, 0, 1) }
 
   test('changes the cells that are named and no others', () => {
-    expect(gridToRows(withCells(grid, [0, 1, 4], true))).toEqual(['##.', '.##'])
-    expect(gridToRows(withCells(grid, [1, 2], false))).toEqual(['...', '..#'])
+    expect([...rowByRow(withCells(grid, [0, 1, 4], true))]).toEqual(['##.', '.##'])
+    expect([...rowByRow(withCells(grid, [1, 2], false))]).toEqual(['...', '..#'])
   })
 
   test('leaves the given map as it is', () => {
     withCells(grid, [0, 1, 2, 3, 4, 5], true)
-    expect(gridToRows(grid)).toEqual(['.#.', '..#'])
+    expect([...rowByRow(grid)]).toEqual(['.#.', '..#'])
   })
 })
 
@@ -57,8 +57,8 @@ test('a resized map keeps what fits and is free where it is new', () => {
       fc.integer({ min: 2, max: 12 }),
       fc.integer({ min: 2, max: 12 }),
       (grid, width, height) => {
-        const before = gridToRows(grid)
-        const after = gridToRows(resized(grid, width, height))
+        const before = [...rowByRow(grid)]
+        const after = [...rowByRow(resized(grid, width, height))]
         expect(after).toHaveLength(height)
         after.forEach((row, y) => {
           expect(row).toBe((before[y] ?? '').slice(0, width).padEnd(width, '.'))

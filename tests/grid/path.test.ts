@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
-import { gridToRows } from '../../src/grid/text-map'
+import { rowByRow } from '../../src/grid/text-map'
 import {
   type DiagonalRule,
   firstIllegalStep,
@@ -18,7 +18,7 @@ const pointIn =
 function worldOf({ grid, start, goal, diagonal }: Problem): World {
   const { width, height } = grid
   const point = pointIn(width)
-  const rows = gridToRows(grid)
+  const rows = [...rowByRow(grid)]
   return { width, height, rows, start: point(start), goal: point(goal), rule: diagonal }
 }
 

@@ -3,7 +3,7 @@ import { expect, test } from 'vitest'
 import { DX, DY } from '../../src/grid/directions'
 import { allLegalSteps } from '../../src/grid/legal-steps'
 import { type DiagonalRule, legalSteps, obstaclesAround } from '../../src/grid/steps'
-import { gridToRows } from '../../src/grid/text-map'
+import { rowByRow } from '../../src/grid/text-map'
 import { grids, RULES, rules } from './arbitraries'
 
 test('the legal steps out of every neighbourhood, by the two rules as they are written down', () => {
@@ -31,7 +31,7 @@ test('the legal steps out of every neighbourhood, by the two rules as they are w
 test('the obstacles around a cell are those of the map, with the border among them', () => {
   fc.assert(
     fc.property(grids, (grid) => {
-      const rows = gridToRows(grid)
+      const rows = [...rowByRow(grid)]
       const around = Array.from(grid.walls, (_, cell) => {
         const x = cell % grid.width
         const y = (cell - x) / grid.width

@@ -2,7 +2,7 @@ import { expect, it } from 'vitest'
 import { randomInteger, randomNumbers } from '../../src/grid/random'
 import { simplestPath } from '../../src/grid/simplest-path'
 import { edgeLines } from '../../src/render/edge-lines'
-import { runToEnd } from '../../src/render/work'
+import { runToEnd } from './run-to-end'
 
 /** The steps between neighbours that a list of paths covers, each named by its two cells. */
 function stepsOf(paths: Iterable<ArrayLike<number>>): string[] {

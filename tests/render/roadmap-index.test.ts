@@ -4,8 +4,8 @@ import { edgeLines } from '../../src/render/edge-lines'
 import { LineIndex } from '../../src/render/line-index'
 import { isVisible, MOST_IN_VIEW, mayBeSeen, placeMap } from '../../src/render/placement'
 import { VertexIndex } from '../../src/render/vertex-index'
-import { runToEnd } from '../../src/render/work'
 import { CELLS, COLUMNS, linesOf, place, ROWS, random, randomCells } from './indexed-map'
+import { runToEnd } from './run-to-end'
 
 /** Some view of the map, from most of it to a few cells. */
 function randomPlace() {

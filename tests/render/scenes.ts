@@ -4,9 +4,9 @@ import { randomNumbers } from '../../src/grid/random'
 import { pictureAsSvg } from '../../src/render/export'
 import type { Scene } from '../../src/render/scene'
 import { themes } from '../../src/render/theme'
-import { runToEnd } from '../../src/render/work'
 import { frameAt } from '../../src/trace/fold'
 import { Tape } from '../../src/trace/tape'
+import { runToEnd } from './run-to-end'
 
 /** What a planner writes on its tape. */
 export function tapeOf(problem: Problem, planner: string): Tape {

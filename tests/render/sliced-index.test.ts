@@ -3,9 +3,9 @@ import { EdgeCover, edgeLines } from '../../src/render/edge-lines'
 import type { LineIndex } from '../../src/render/line-index'
 import { placeMap } from '../../src/render/placement'
 import { SlicedIndex } from '../../src/render/sliced-index'
-import { runToEnd } from '../../src/render/work'
 import { Tape } from '../../src/trace/tape'
 import { CELLS, COLUMNS, linesOf, place, ROWS, randomCells } from './indexed-map'
+import { runToEnd } from './run-to-end'
 
 /** Says that time is up after so many questions. */
 function timeFor(questions: number): () => boolean {

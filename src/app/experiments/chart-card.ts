@@ -1,5 +1,6 @@
 import type { Chart, Mark } from '../../charts/chart'
-import { type Drawing, drawChart } from '../../charts/draw'
+import { drawChart } from '../../charts/draw'
+import type { Drawing } from '../../charts/drawing'
 import { drawStandalone } from '../../charts/save'
 import { create } from '../element'
 import { download } from '../files/download'

@@ -1,5 +1,5 @@
 import type { Chart, Series } from '../../charts/chart'
-import type { Drawing } from '../../charts/draw'
+import type { Drawing } from '../../charts/drawing'
 import { drawSwatch } from '../../charts/legend'
 import { create, setText } from '../element'
 

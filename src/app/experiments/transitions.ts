@@ -1,13 +1,11 @@
-import type { Results } from '../../experiments/results'
+import { mapsOf, type Results } from '../../experiments/results'
 import {
-  countWork,
   type ExperimentSettings,
   GIVEN_MAPS,
   type GivenMap,
   plannerSettings,
   settingName,
 } from '../../experiments/settings'
-import { rangeOfShard } from '../../experiments/shards'
 import { groupBy } from '../../experiments/summary/groups'
 import { durationInWords } from '../../experiments/time-left'
 import { withoutErrors } from '../state/messages'
@@ -98,7 +96,7 @@ export function progressInWords({ done, total, left }: Extract<Run, { kind: 'run
  */
 export function showResults(state: PageState, results: Results): PageState {
   const { rows } = results
-  const { first, end } = rangeOfShard(results.shard, countWork(results.settings).maps)
+  const { first, end } = mapsOf(results)
   const maps = rows.filter(({ map }, i) => map !== rows[i - 1]?.map).length
   const last = rows.at(-1)?.map ?? -1
   const text = `Results of ${countInWords(maps, 'map')}.`

@@ -40,7 +40,7 @@ export async function blobInSlices(
 }
 
 /** Lets the page go on. Not by a timer: while the page is in the background those come once a second. */
-export const nextTask = () =>
+const nextTask = () =>
   new Promise<void>((resolve) => {
     const { port1, port2 } = new MessageChannel()
     port1.onmessage = () => {

@@ -2,7 +2,7 @@ import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
 import { generators } from '../../../src/grid/generators'
 import { pointOf } from '../../../src/grid/grid'
-import { gridToRows } from '../../../src/grid/text-map'
+import { rowByRow } from '../../../src/grid/text-map'
 import { checkProblem, type DiagonalRule, InputError } from '../../../src/index'
 import { RULES } from '../arbitraries'
 import { make, seeds, sizes } from './maps'
@@ -152,6 +152,6 @@ describe('the map of a seed is the same in every version', () => {
     ],
   ])('%s', (id, params, rows) => {
     const { grid } = make(id, { width: 24, height: 9 }, params, 3)
-    expect(gridToRows(grid)).toEqual(rows.trim().split(/\s+/))
+    expect([...rowByRow(grid)]).toEqual(rows.trim().split(/\s+/))
   })
 })

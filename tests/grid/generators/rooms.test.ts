@@ -1,6 +1,6 @@
 import fc from 'fast-check'
 import { describe, expect, test } from 'vitest'
-import { gridToRows } from '../../../src/grid/text-map'
+import { rowByRow } from '../../../src/grid/text-map'
 import type { Problem } from '../../../src/index'
 import { byId, make, pieces, seeds, sizes } from './maps'
 
@@ -95,7 +95,7 @@ describe('every room', () => {
 
 test('the longer side is divided first', () => {
   for (let seed = 0; seed < 50; seed++) {
-    const rows = gridToRows(make('rooms', { width: 60, height: 20 }, { room: 9 }, seed).grid)
+    const rows = [...rowByRow(make('rooms', { width: 60, height: 20 }, { room: 9 }, seed).grid)]
     for (const row of rows) expect(row.replaceAll('.', '').length).toBeLessThan(59)
     expect(rows.filter((row) => row.includes('#')).length).toBeGreaterThanOrEqual(19)
   }
@@ -104,7 +104,7 @@ test('the longer side is divided first', () => {
 test('a map too small to divide stays one room', () => {
   const [{ default: usual }] = byId('rooms').params
   const side = 2 * usual
-  expect(gridToRows(make('rooms', { width: side, height: side }, {}, 1).grid)).toEqual(
+  expect([...rowByRow(make('rooms', { width: side, height: side }, {}, 1).grid)]).toEqual(
     new Array(side).fill('.'.repeat(side)),
   )
   const walls = make('rooms', { width: side + 1, height: side }, {}, 1).grid.walls
